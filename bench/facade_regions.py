@@ -20,7 +20,7 @@ import subprocess
 import sys
 import tempfile
 
-from facade_frame import in_axes
+from facade_frame import in_axes, overlap
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 REGION = {"bulge": "irregularity"}  # by the kind of a true element; every other kind is an element
@@ -43,14 +43,6 @@ def box_in(frame, ring):
     return [f(p[k] for p in places) for k in range(3) for f in (min, max)]
 
 
-def area(box):
-    return max(0, box[1] - box[0]) * max(0, box[3] - box[2])
-
-
-def common(a, b):
-    return area([max(a[0], b[0]), min(a[1], b[1]), max(a[2], b[2]), min(a[3], b[3])])
-
-
 def on_facade(frame, width, ring):
     """Returns the box of a true element in the axes of a facade, or None if the element belongs to another facade."""
     box = box_in(frame, ring)
@@ -60,7 +52,7 @@ def on_facade(frame, width, ring):
 
 def best_match(box, candidates):
     """Returns the candidate with the greatest intersection over union."""
-    share = lambda c: common(box, c[0]) / max(1e-9, area(box) + area(c[0]) - common(box, c[0]))
+    share = lambda c: overlap(box, c[0])
     best = max(candidates, key=share, default=None)
     return (best, share(best)) if best and share(best) > 0 else (None, 0)
 

@@ -18,7 +18,7 @@ import subprocess
 import sys
 import tempfile
 
-from facade_frame import in_axes
+from facade_frame import in_axes, overlap
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TAIL, BESIDE, FOUND = 0.002, 2, 0.5  # share of points, metres, intersection over union
@@ -62,14 +62,6 @@ def box_of_points(frame, points):
     if abs(quantile([p[2] for p in places], 0.5)) > BESIDE:
         return None
     return [quantile([p[k] for p in places], share) for k in range(2) for share in (TAIL, 1 - TAIL)]
-
-
-def overlap(a, b):
-    width, height = (min(a[k + 1], b[k + 1]) - max(a[k], b[k]) for k in (0, 2))
-    if width <= 0 or height <= 0:
-        return 0
-    area = lambda box: (box[1] - box[0]) * (box[3] - box[2])
-    return width * height / (area(a) + area(b) - width * height)
 
 
 def pairs(labelled, facades):

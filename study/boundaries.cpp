@@ -14,8 +14,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "engine/compare/boundary_error.h"
-#include "engine/compare/plane_frame.h"
+#include "engine/compare/planes/boundary_error.h"
+#include "engine/compare/planes/plane_frame.h"
 #include "engine/formats/reader.h"
 #include "kernels/core/quantile.h"
 #include "kernels/delaunay/alpha_shape.h"

@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "engine/compare/evaluate.h"
-#include "engine/compare/truth_facades.h"
+#include "engine/compare/facades/truth_facades.h"
 #include "engine/deliverables/tables/facade_json.h"
 #include "engine/proof/point_stream.h"
 #include "kernels/core/rng.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "engine/compare/confusion.h"
+#include "engine/compare/labels/confusion.h"
 #include "kernels/plane_methods/colour_classes.h"
 #include "kernels/planes/plane_score.h"
 #include "kernels/planes/region_growing.h"

@@ -15,31 +15,22 @@ import csv
 import json
 import math
 import pathlib
+import statistics
 import subprocess
+import sys
+
+import commands
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from facade_frame import dot, in_axes, overlap  # noqa: E402
 
 POINTS = {"facade-wild": 200000, "row-wild": 300000, "court-wild": 300000}
 SIDES = ("bottom", "right", "top", "left")
 
 
-def minus(a, b):
-    return [x - y for x, y in zip(a, b)]
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def box(ring):
-    us, vs = [p[0] for p in ring], [p[1] for p in ring]
+def box(places):
+    us, vs = [p[0] for p in places], [p[1] for p in places]
     return min(us), max(us), min(vs), max(vs)
-
-
-def overlap(a, b):
-    w, h = min(a[1], b[1]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[2], b[2])
-    if w <= 0 or h <= 0:
-        return 0
-    area = lambda r: (r[1] - r[0]) * (r[3] - r[2])
-    return w * h / (area(a) + area(b) - w * h)
 
 
 def rows_of(out, truth):
@@ -50,7 +41,7 @@ def rows_of(out, truth):
     for path in sorted((out / "facades").glob("facade-*.json")):
         facade = json.loads(path.read_text())
         f = facade["frame"]
-        flat = lambda p: [dot(minus(p, f["origin"]), f[a]) for a in ("right", "up", "out")]
+        flat = lambda p: in_axes(f, p)
         true = []
         for k, o in enumerate(truth["openings"]):
             ring = [flat(p) for p in o["ring"]]
@@ -69,7 +60,7 @@ def rows_of(out, truth):
                 continue
             centre = [(own[0] + own[1]) / 2, (own[2] + own[3]) / 2, 0]
             angles = [math.degrees(math.acos(max(-1, min(1, d[2] / math.sqrt(dot(d, d))))))
-                      for d in (minus(flat(s), centre) for s in stations)]
+                      for d in ([a - b for a, b in zip(flat(s), centre)] for s in stations)]
             places = dict(bottom=2, right=1, top=3, left=0)
             for side, edge in zip(SIDES, e["edges"]):
                 if edge["status"] == "occluded":
@@ -85,22 +76,15 @@ def rows_of(out, truth):
 def judge(given, scene, seed):
     changed = "".join("-" + s.replace("scene.", "").replace("=", "_") for s in given.scan)
     cloud = given.folder / f"{scene}-{seed}{changed}.las"
-    stations = cloud.with_suffix(".stations.csv")
     truth_file = cloud.with_suffix(".truth.json")
     if not truth_file.exists():
-        words = [given.program, "scan", scene, "-o", str(cloud), "--seed", str(seed), "--points", str(POINTS[scene]),
-                 "--overwrite", "-q", "--threads", "1", "--set", "scene.station_knowledge=known"]
-        for s in given.scan:
-            words += ["--set", s]
+        settings = ["station_knowledge=known", *(s.removeprefix("scene.") for s in given.scan)]
+        words = [*commands.scan(given.program, scene, seed, cloud, settings), "--points", str(POINTS[scene]), "-q"]
         if subprocess.run(words, capture_output=True).returncode:
             return scene, seed, None
     out = given.folder / f"out-{given.tag}-{scene}-{seed}{changed}"
-    words = [given.program, "run", str(cloud), "-o", str(out), "--overwrite", "-q", "--products", "facades", "--threads",
-             "1", "--no-clouds"]
-    for s in given.set:
-        words += ["--set", s]
-    if stations.exists():
-        words += ["--stations", str(stations)]
+    words = [*commands.run(given.program, cloud, out, "facades"), "-q", "--no-clouds"]
+    words += [word for s in given.set for word in ("--set", s)]
     run = subprocess.run(words, capture_output=True, text=True)
     if run.returncode:
         return scene, seed, None
@@ -117,8 +101,7 @@ def share(rows):
 
 
 def median(values):
-    values = sorted(values)
-    return values[len(values) // 2] if values else 0
+    return statistics.median_high(values) if values else 0
 
 
 def line(name, rows):
@@ -147,14 +130,14 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--seeds", default="0-19")
+    parser.add_argument("--seeds", type=commands.range_of, default=(0, 19))
     parser.add_argument("--scenes", default="facade-wild,row-wild,court-wild")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--set", action="append", default=[])
     parser.add_argument("--scan", action="append", default=[])
     parser.add_argument("--tag", default="a")
     given = parser.parse_args()
-    first, last = map(int, given.seeds.split("-"))
+    first, last = given.seeds
     given.folder.mkdir(parents=True, exist_ok=True)
     todo = [(scene, seed) for seed in range(first, last + 1) for scene in given.scenes.split(",")]
     rows, matched, found, true, failed = [], 0, 0, 0, []

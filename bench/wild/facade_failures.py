@@ -16,6 +16,8 @@ import shutil
 import subprocess
 import threading
 
+import commands
+
 FAMILIES = ("vehicles,cars,people,trees,poles,hedges,cables,arches,stones,mirrors,blinds,shutters,sills,mouldings,"
             "balconies,gutters,signs,awnings,fixtures,plants,scaffolds,chimneys,dormers")
 CALM = dict(
@@ -74,65 +76,37 @@ ARMS = {
 }
 
 
-def scan_words(arm, seed, cloud):
+def scan_words(program, arm, seed, cloud):
     scene, kept, changes, points = ARMS[arm]
-    words = ["scan", scene, "-o", str(cloud), "--seed", str(seed), "--points", str(points), "--overwrite", "-q",
-             "--threads", "1"]
-    if kept is None:
-        return words
-    values = {key: value for key, value in {**CALM, **changes}.items() if value is not None}
-    without = [f for f in FAMILIES.split(",") if f not in kept.split(",")]
-    if scene == "facade-wild":
-        without.append("neighbours")
-    words += ["--without", ",".join(without)]
-    for key, value in values.items():
-        words += ["--set", f"scene.{key}={value}"]
-    return words
-
-
-def mirrored(out, truth):
-    """The number of drawn facades that face away from the true wall in whose plane they lie."""
-    walls = [p["plane"] for p in truth["planes"] if p["class"] == "facade" and p.get("area_m2")]
-    count = total = 0
-    for path in sorted((out / "facades").glob("facade-*.json")):
-        facade = json.loads(path.read_text())
-        frame = facade.get("frame", facade)
-        normal, origin = frame.get("out"), frame.get("origin")
-        if normal is None or origin is None:
-            continue
-        total += 1
-        near = [w for w in walls if abs(sum(w[i] * origin[i] for i in range(3)) + w[3]) < 0.3
-                and abs(sum(w[i] * normal[i] for i in range(3))) > 0.98]
-        count += bool(near) and sum(near[0][i] * normal[i] for i in range(3)) < 0
-    return count, total
+    settings, without = [], []
+    if kept is not None:
+        settings = [f"{key}={value}" for key, value in {**CALM, **changes}.items() if value is not None]
+        without = [f for f in FAMILIES.split(",") if f not in kept.split(",")]
+        without += ["neighbours"] if scene == "facade-wild" else []
+    return [*commands.scan(program, scene, seed, cloud, settings, ",".join(without)), "--points", str(points), "-q"]
 
 
 def judge(program, folder, arm, seed):
     work = folder / f"{list(ARMS).index(arm)}-{seed}"
     work.mkdir(parents=True, exist_ok=True)
     cloud, out = work / "a.las", work / "out"
-    subprocess.run([program, *scan_words(arm, seed, cloud)], check=True, capture_output=True)
-    words = [program, "run", str(cloud), "-o", str(out), "--overwrite", "-q", "--products", "facades", "--threads", "1",
-             "--no-clouds"]
-    stations = work / "a.stations.csv"
-    if stations.exists():
-        words += ["--stations", str(stations)]
-    run = subprocess.run(words, capture_output=True, text=True)
+    subprocess.run(scan_words(program, arm, seed, cloud), check=True, capture_output=True)
+    run = subprocess.run([*commands.run(program, cloud, out, "facades"), "-q", "--no-clouds"], capture_output=True, text=True)
     truth = json.loads((work / "a.truth.json").read_text())
+    message = (run.stderr.strip().splitlines() or [""])[-1][:120]
     row = dict(arm=arm, seed=seed, exit=run.returncode, true=len(truth["openings"]), found="", matched="", iou="",
-               distance="", jambs="", mirrored="", facades="", message=run.stderr.strip().splitlines()[-1][:120] if run.stderr.strip() else "")
+               distance="", jambs="", mirrored="", facades="", message=message)
     if run.returncode == 0:
-        said = subprocess.run([program, "evaluate", str(out), "--truth", str(work / "a.truth.json"), "--json"],
-                              capture_output=True, text=True)
+        said = subprocess.run(commands.evaluate(program, out, cloud), capture_output=True, text=True)
         report = json.loads(said.stdout)
-        openings = report.get("openings") or {}
+        openings, sides = report.get("openings") or {}, report.get("facades") or {}
         row.update(found=openings.get("found", ""), matched=openings.get("matched", ""),
-                   iou=openings.get("iou_mean", ""), distance=openings.get("ring_distance_m", ""))
+                   iou=openings.get("iou_mean", ""), distance=openings.get("ring_distance_m", ""),
+                   mirrored=sides.get("mirrored", 0), facades=sides.get("judged", 0))
         groups = (report.get("control_points") or {}).get("groups", [])
         drawn = sum(g["drawn"] for g in groups if g["name"].startswith("window"))
         if drawn:
             row["jambs"] = sum(g["dx"]["mean_m"] * g["drawn"] for g in groups if g["name"].startswith("window")) / drawn
-        row["mirrored"], row["facades"] = mirrored(out, truth)
         (work / "evaluation.json").write_text(said.stdout)
     shutil.rmtree(out / ".store", ignore_errors=True)
     return row
@@ -147,11 +121,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--seeds", default="0-3")
+    parser.add_argument("--seeds", type=commands.range_of, default=(0, 3))
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--only", default="")
     given = parser.parse_args()
-    first, last = map(int, given.seeds.split("-"))
+    first, last = given.seeds
     given.folder.mkdir(parents=True, exist_ok=True)
     results = given.folder / "results.csv"
     rows = list(csv.DictReader(results.open())) if results.exists() else []

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "engine/compare/label_counts.h"
+#include "engine/compare/labels/label_counts.h"
 #include "engine/deliverables/layers/gpkg_readers.h"
 #include "engine/deliverables/solids/model_file.h"
 #include "engine/deliverables/tables/facade_json.h"

@@ -8,17 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "engine/compare/boundary_error.h"
-#include "engine/compare/confusion.h"
-#include "engine/compare/control_points.h"
-#include "engine/compare/drawn_edges.h"
-#include "engine/compare/facade_sides.h"
-#include "engine/compare/objects.h"
-#include "engine/compare/openings.h"
-#include "engine/compare/plane_errors.h"
-#include "engine/compare/plane_sizes.h"
-#include "engine/compare/reliability.h"
-#include "engine/compare/roofs.h"
+#include "engine/compare/facades/control_points.h"
+#include "engine/compare/facades/drawn_edges.h"
+#include "engine/compare/facades/facade_sides.h"
+#include "engine/compare/facades/openings.h"
+#include "engine/compare/labels/confusion.h"
+#include "engine/compare/labels/objects.h"
+#include "engine/compare/labels/reliability.h"
+#include "engine/compare/planes/boundary_error.h"
+#include "engine/compare/planes/plane_errors.h"
+#include "engine/compare/planes/plane_sizes.h"
+#include "engine/compare/roofs/roofs.h"
 
 namespace ilot {
 

@@ -20,6 +20,7 @@
 #include "engine/report/resources.h"
 #include "engine/report/run_record.h"
 #include "engine/run/area_in_crs.h"
+#include "engine/run/forced_isa.h"
 #include "engine/run/input_places.h"
 #include "engine/run/open_inputs.h"
 #include "engine/run/output_folder.h"
@@ -279,6 +280,7 @@ int run_in_arena(const RunOptions& given, const TrainObjectModel& learn, Progres
 }  // namespace
 
 int run(const RunOptions& options, Progress& progress, const TrainObjectModel& learn) {
+  check_forced_isa();
   progress.run_start("ilot run");
   int code = 0;
   with_threads(affordable_threads(options.memory_bytes, options.threads > 0 ? options.threads : hardware_threads()),

@@ -1,83 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of all settings: key, field, range, unit and meaning of each. Defaults are those of the fields.
-#include <algorithm>
 #include <type_traits>
 #include <utility>
 
+#include "engine/settings/field_value.h"
 #include "engine/settings/parameters.h"
 
 namespace ilot {
 namespace {
 
-// Converts a field of Settings to a Value and back.
-template <class T>
-struct Field {
-  static constexpr bool kOptional = false;
-  static constexpr ParameterKind kKind = std::is_same_v<T, bool>       ? ParameterKind::boolean
-                                         : std::is_floating_point_v<T> ? ParameterKind::number
-                                                                       : ParameterKind::integer;
-  using Stored = std::conditional_t<std::is_same_v<T, bool>, bool,
-                                    std::conditional_t<std::is_floating_point_v<T>, double, std::int64_t>>;
-  static Value get(const T& field) { return static_cast<Stored>(field); }
-  static void set(T& field, const Value& value) {
-    const auto* whole = std::get_if<std::int64_t>(&value);
-    field = whole != nullptr ? static_cast<T>(*whole) : static_cast<T>(std::get<Stored>(value));
-  }
-};
-
-template <class T>
-struct Field<std::optional<T>> {
-  static constexpr bool kOptional = true;
-  static constexpr ParameterKind kKind = Field<T>::kKind;
-  static Value get(const std::optional<T>& field) { return field ? Field<T>::get(*field) : Value(Auto{}); }
-  static void set(std::optional<T>& field, const Value& value) {
-    field.reset();
-    if (!std::holds_alternative<Auto>(value)) Field<T>::set(field.emplace(), value);
-  }
-};
-
-template <>
-struct Field<std::vector<int>> {
-  static constexpr bool kOptional = false;
-  static constexpr ParameterKind kKind = ParameterKind::integers;
-  static Value get(const std::vector<int>& field) { return std::vector<std::int64_t>(field.begin(), field.end()); }
-  static void set(std::vector<int>& field, const Value& value) {
-    const auto& list = std::get<std::vector<std::int64_t>>(value);
-    field.clear();
-    for (std::int64_t entry : list) field.push_back(static_cast<int>(entry));
-  }
-};
-
-template <>
-struct Field<std::vector<double>> {
-  static constexpr bool kOptional = false;
-  static constexpr ParameterKind kKind = ParameterKind::numbers;
-  static Value get(const std::vector<double>& field) { return field; }
-  static void set(std::vector<double>& field, const Value& value) {
-    if (const auto* whole = std::get_if<std::vector<std::int64_t>>(&value)) {
-      field.assign(whole->begin(), whole->end());
-    } else {
-      field = std::get<std::vector<double>>(value);
-    }
-  }
-};
-
-// A choice among names, in the order of the enumeration.
-template <class E>
-requires std::is_enum_v<E>
-struct Field<E> {
-  static constexpr bool kOptional = false;
-  static constexpr ParameterKind kKind = ParameterKind::choice;
-  static Value get(E field) { return std::string(names_of(field)[static_cast<std::size_t>(field)]); }
-  static void set(E& field, const Value& value) {
-    const auto names = names_of(field);
-    field = static_cast<E>(std::find(names.begin(), names.end(), std::get<std::string>(value)) - names.begin());
-  }
-};
-
 template <class Access>
 Parameter make(const char* key, Access access, ValueRange range, const char* unit, const char* help) {
-  using F = Field<std::remove_cvref_t<decltype(access(std::declval<Settings&>()))>>;
+  using F = FieldValue<std::remove_cvref_t<decltype(access(std::declval<Settings&>()))>>;
   return {key,
           F::kKind,
           F::kOptional,
@@ -331,6 +265,11 @@ Parameters advanced_facades() {
                     "lower openings are no doors"),
       make_advanced("facades.door_sill", ILOT_FIELD(facades.advanced.door_sill), {0, 5}, "m",
                     "openings that begin higher above the foot of the wall are no doors"),
+  };
+}
+
+Parameters advanced_elements() {
+  return {
       make_advanced("facades.balcony_depth", ILOT_FIELD(facades.advanced.balcony_depth), {0.01, 5}, "m",
                     "elements that stand out less are no balconies"),
       make_advanced("facades.balcony_width", ILOT_FIELD(facades.advanced.balcony_width), {0.05, 10}, "m",
@@ -386,9 +325,9 @@ Parameters classes_parameters() {
 
 std::vector<Parameter> parameter_table() {
   Parameters table;
-  for (const auto section :
-       {general_parameters, planes_parameters, boundaries_parameters, roofs_parameters, advanced_roofs,
-        streets_parameters, advanced_streets, facades_parameters, advanced_facades, classes_parameters})
+  for (const auto section : {general_parameters, planes_parameters, boundaries_parameters, roofs_parameters,
+                             advanced_roofs, streets_parameters, advanced_streets, facades_parameters, advanced_facades,
+                             advanced_elements, classes_parameters})
     for (Parameter& p : section()) table.push_back(std::move(p));
   return table;
 }

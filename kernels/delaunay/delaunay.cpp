@@ -122,6 +122,14 @@ class Builder {
   Point2 at(std::uint32_t v) const { return points_[v]; }
   std::uint32_t target(std::uint32_t e) const { return edge_[e ^ 1].origin; }
 
+  // Takes an edge out of the list of free ones. At each end it is alone; insert_before() puts it between its
+  // neighbours. With the face on its left, the next edge of that face is edge_[e ^ 1].last, as `last` is clockwise:
+  //
+  //          c
+  //          |\    edge_[e ^ 1].last
+  //          | \   is to-c
+  //     from -e-> to       e ^ 1 is the way back
+  //
   std::uint32_t new_edge(Part& part, std::uint32_t from, std::uint32_t to) {
     const std::uint32_t e = part.free_head;
     part.free_head = edge_[e].next;
@@ -152,7 +160,13 @@ class Builder {
 
   // Adds the edge between the parts, from low to high, that has both of them on its left. `right` is the hull edge of
   // the low part out of its vertex nearest to the high part. `left` is the hull edge of the high part out of its vertex
-  // nearest to the low part.
+  // nearest to the low part. Both ends go along their hulls until
+  // no point is to the right of a-b:
+  //
+  //     low  .       .  high
+  //           \     /
+  //            a - b
+  //
   std::uint32_t lower_tangent(Part& all, const Part& low, const Part& high, std::uint32_t right, std::uint32_t left) {
     std::uint32_t a = right == kNoEdge ? low.first : edge_[right].origin;
     std::uint32_t b = left == kNoEdge ? high.first : edge_[left].origin;
@@ -206,7 +220,15 @@ class Builder {
     return kNoEdge;
   }
 
-  // Goes from the lower tangent from edge to edge between the parts up to the upper tangent, which is returned.
+  // Goes from the lower tangent from edge to edge between the parts up to the upper tangent, which is returned. The
+  // triangle above the base a-b has the candidate of one side as its third corner: the one whose circle with a and b
+  // does not contain the other. Here d is taken, and a-d is the next base; c would make c-b the next one.
+  //
+  //     c       d             c       d
+  //      \     /               \   . /
+  //  low  \   /  high   -->     \.  /
+  //        a-b                   a-b
+  //
   std::uint32_t zip(Part& all, std::uint32_t base) {
     std::uint32_t a = edge_[base].origin, b = edge_[base ^ 1].origin;
     for (;;) {

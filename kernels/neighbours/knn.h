@@ -21,7 +21,13 @@ struct KnnParams {
 // squared distance of the k-th point, or -1 where fewer than k were found. The result is exact: distances are compared
 // as integers, and ties at the k-th point go to the smaller index (in Morton-sorted points the smaller coordinates,
 // then the smaller record). Queries in index order are several times faster than in random order. A query takes about
-// O(log n + k) on surfaces.
+// O(log n + k) on surfaces. One query, of point 17:
+//
+//   const NeighbourIndex index = build_neighbour_index(points);
+//   const std::uint32_t query = 17;
+//   std::array<std::uint32_t, 8> near;  // 17 is one of them, at distance 0
+//   std::int64_t reach2 = 0;            // of the farthest
+//   knn(index, {&query, 1}, {.k = 8}, near, {&reach2, 1});
 void knn(const NeighbourIndex& index, std::span<const std::uint32_t> queries, const KnnParams& params,
          std::span<std::uint32_t> neighbours, std::span<std::int64_t> reach2);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Body of knn.
+// Body of knn. Lanes (F8, Wide, splat, mask_le ...) are those of kernels/simd/lanes_*.h: kernels/simd/bodies.cmake
+// compiles this text once for each instruction set, behind the lanes of that set and knn_body.h.
 // Near path: up to eight queries of one leaf share one sweep of the box hierarchy. The sweep collects the points within
 // a guessed radius, which is somewhat more than the radius of the queries before. A query that finds k points within
 // the radius is answered, because every point within it was collected. Otherwise the guess grows. Squared distances up

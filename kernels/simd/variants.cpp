@@ -11,7 +11,7 @@ namespace {
 Isa choose() {
   const char* forced = std::getenv("ILOT_FORCE_ISA");
   for (const Isa isa : {Isa::avx512, Isa::avx2})
-    if (has_isa(isa) && (forced == nullptr || std::strcmp(forced, name_of(isa)) == 0)) return isa;
+    if (has_isa(isa) && (forced == nullptr || *forced == '\0' || std::strcmp(forced, name_of(isa)) == 0)) return isa;
   return Isa::baseline;
 }
 

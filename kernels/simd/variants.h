@@ -15,8 +15,8 @@ const char* name_of(Isa isa);
 // Whether this machine has the instruction set and this build includes it.
 bool has_isa(Isa isa);
 
-// The best instruction set of this machine, chosen once. ILOT_FORCE_ISA=baseline|avx2|avx512 overrides it; a name that
-// is unknown or not supported here gives the baseline.
+// The best instruction set of this machine, chosen once. ILOT_FORCE_ISA=baseline|avx2|avx512 overrides it; any other
+// name and a set that is not available give the baseline (forced_isa.h reports them).
 Isa chosen_isa();
 
 // The functions of one body for each instruction set; nullptr where the build lacks it.

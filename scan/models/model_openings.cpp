@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/compare/overlay.h"
-#include "engine/compare/plane_frame.h"
+#include "engine/compare/planes/plane_frame.h"
+#include "engine/compare/roofs/overlay.h"
 #include "kernels/geometry/ring.h"
 #include "scan/models/plan_hull.h"
 

@@ -3,7 +3,7 @@
 // to correct.
 #include <cstdint>
 
-#include "engine/compare/drawing_control.h"
+#include "engine/compare/facades/drawing_control.h"
 #include "engine/deliverables/drawings/dxf_reader.h"
 #include "engine/error.h"
 #include "engine/validity/validate_drawing.h"

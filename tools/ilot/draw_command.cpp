@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/compare/truth_facades.h"
+#include "engine/compare/facades/truth_facades.h"
 #include "engine/deliverables/pages/facade_files.h"
 #include "engine/deliverables/tables/facade_json.h"
 #include "engine/error.h"

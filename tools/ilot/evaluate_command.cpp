@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "engine/compare/drawing_control.h"
 #include "engine/compare/evaluation_report.h"
+#include "engine/compare/facades/drawing_control.h"
 #include "engine/compare/seams.h"
 #include "engine/deliverables/solids/model_file.h"
 #include "engine/error.h"

@@ -9,8 +9,10 @@
 
 #include "engine/error.h"
 #include "engine/pass/stop.h"
+#include "engine/run/forced_isa.h"
 #include "engine/system_reason.h"
 #include "engine/version.h"
+#include "kernels/simd/forced_isa.h"
 #include "kernels/simd/variants.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
@@ -45,7 +47,8 @@ std::string version_text(bool json) {
                              {"git_hash", git_hash()},
                              {"compiler", compiler()},
                              {"build_type", build_type()},
-                             {"isa", simd::name_of(simd::chosen_isa())}};
+                             {"isa", simd::name_of(simd::chosen_isa())},
+                             {"isas", simd::available_isas()}};
   for (const auto& [name, number] : library_versions()) all["libraries"][name] = number;
   return all.dump(2) + "\n";
 }
@@ -58,6 +61,7 @@ std::string fault_line(std::string text) {
 }
 
 int run_command_line(int argc, char** argv) {
+  check_forced_isa();
   CLI::App app("Turns point clouds of cities into drawings and models.", "ilot");
   bool show_version = false, json = false;
   auto* version_flag = app.add_flag("--version", show_version, "show version and git hash");

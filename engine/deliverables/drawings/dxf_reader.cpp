@@ -157,13 +157,50 @@ class Reader {
     return value.value_or(0);
   }
 
+  // Reads a group that is a coordinate, a bulge, a radius or an angle. Other groups are left out.
+  void measure(DxfEntity& e) {
+    const bool is_line = e.type == "LINE", many = e.type == "LWPOLYLINE";
+    switch (groups_.now().code) {
+      case 10:
+        if (many || e.corners.empty()) e.corners.push_back({});
+        e.corners.back().x = number(e);
+        break;
+      case 20:
+        if (!e.corners.empty()) e.corners.back().y = number(e);
+        break;
+      case 11:
+        if (is_line) {
+          e.corners.resize(1);
+          e.corners.push_back({});
+          e.corners.back().x = number(e);
+        }
+        break;
+      case 21:
+        if (is_line && !e.corners.empty()) e.corners.back().y = number(e);
+        break;
+      case 42:
+        if ((many || e.type == "VERTEX") && !e.corners.empty()) e.corners.back().bulge = number(e);
+        break;
+      case 40:
+        if (e.type == "ARC" || e.type == "CIRCLE") e.radius = number(e);
+        break;
+      case 50:
+        if (e.type == "ARC") e.from_deg = number(e);
+        break;
+      case 51:
+        if (e.type == "ARC") e.to_deg = number(e);
+        break;
+      default:
+        break;
+    }
+  }
+
   // Reads the groups that belong to one entity, up to the next code 0.
   DxfEntity plain_entity(std::int64_t& flags, bool& paper) {
     DxfEntity e;
     e.type = trimmed(groups_.now().value);
     e.line = groups_.now().line;
     bool in_reactors = false;
-    const bool is_line = e.type == "LINE", many = e.type == "LWPOLYLINE";
     for (groups_.next(); !groups_.at_end() && groups_.now().code != 0; groups_.next()) {
       const Group& g = groups_.now();
       if (g.code == 102) in_reactors = trimmed(g.value).starts_with('{');
@@ -184,37 +221,8 @@ class Reader {
         case 1:
           e.text = g.value;
           break;
-        case 10:
-          if (many || e.corners.empty()) e.corners.push_back({});
-          e.corners.back().x = number(e);
-          break;
-        case 20:
-          if (!e.corners.empty()) e.corners.back().y = number(e);
-          break;
-        case 11:
-          if (is_line) {
-            e.corners.resize(1);
-            e.corners.push_back({});
-            e.corners.back().x = number(e);
-          }
-          break;
-        case 21:
-          if (is_line && !e.corners.empty()) e.corners.back().y = number(e);
-          break;
-        case 42:
-          if ((many || e.type == "VERTEX") && !e.corners.empty()) e.corners.back().bulge = number(e);
-          break;
-        case 40:
-          if (e.type == "ARC" || e.type == "CIRCLE") e.radius = number(e);
-          break;
-        case 50:
-          if (e.type == "ARC") e.from_deg = number(e);
-          break;
-        case 51:
-          if (e.type == "ARC") e.to_deg = number(e);
-          break;
         default:
-          break;
+          measure(e);
       }
     }
     return e;

@@ -26,7 +26,10 @@ PointLabel label_of(const fs::path& path, const std::string& name) {
     const auto label = static_cast<PointLabel>(value);
     if (known == name && (label == PointLabel::vegetation || is_street_object(label))) return label;
   }
-  throw usage(path, "there is no class '" + name + "'; there is: car, lamppost, pedestrian, other, vegetation, none");
+  std::string all;
+  for (const auto& [value, known] : point_label_names())
+    if (is_street_object(static_cast<PointLabel>(value))) all += known + ", ";
+  throw usage(path, "there is no class '" + name + "'; there is: " + all + "vegetation, none");
 }
 
 std::vector<TrainingPlace> read_truth_places(const fs::path& path) {

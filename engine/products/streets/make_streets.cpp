@@ -131,7 +131,7 @@ bool is_trunk(const FoundStreet& street, const ObjectCandidate& candidate) {
 // The classes of candidates, without trunks: these are vegetation.
 std::vector<CandidateClass> classes_without_trunks(const FoundStreet& street, std::vector<CandidateClass> classes) {
   for (std::size_t i = 0; i < classes.size(); ++i)
-    if (classes[i].label >= PointLabel::lamppost && is_street_object(classes[i].label) &&
+    if (classes[i].label != PointLabel::car && is_street_object(classes[i].label) &&
         is_trunk(street, street.candidates[i]))
       classes[i].label = PointLabel::vegetation;
   return classes;

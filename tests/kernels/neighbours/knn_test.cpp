@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numeric>
 
 #include "tests/support/instruction_sets.h"
@@ -56,6 +57,18 @@ TEST(Knn, ThreePointsByHand) {
   const Answer near = run_knn(set.view(), query, {3, 9});
   EXPECT_EQ(near.neighbours, (std::vector<std::uint32_t>{0, 1, kNoNeighbour}));
   EXPECT_EQ(near.reach2[0], -1);
+}
+
+// The example of knn.h.
+TEST(Knn, OneQuery) {
+  const auto set = test::make_set("line", {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {6, 0, 0}});
+  const NeighbourIndex index = build_neighbour_index(set.view());
+  const std::uint32_t query = 2;
+  std::array<std::uint32_t, 3> near{};
+  std::int64_t reach2 = 0;
+  knn(index, {&query, 1}, {.k = 3}, near, {&reach2, 1});
+  EXPECT_EQ(near, (std::array<std::uint32_t, 3>{0, 1, 2}));  // 0 and 3 are equally far: the smaller index
+  EXPECT_EQ(reach2, 9);
 }
 
 TEST(Knn, EqualsBruteForceOnEverySetSizeAndBound) {

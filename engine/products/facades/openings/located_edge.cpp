@@ -242,50 +242,66 @@ void use_face(const FaceLine& face, double noise, LocatedEdge& edge) {
   edge.by_face = true;
 }
 
+// One side of an element and how it was scanned.
+struct SideView {
+  const RaySamples& samples;
+  const SideSearch& q;
+  Side side;
+  SideSpan span;
+  Place2 steps;  // metres between rays across the side and along it
+  double noise = samples.site().noise;
+  bool oblique = samples.oblique();
+  double beam = oblique ? kBeam : 0;
+};
+
+SideView view_of(const RaySamples& samples, const SideSearch& q, Side side) {
+  const SideSpan span = span_of(q.box, side);
+  const double t = outwards(side) * span.t, s = (span.s0 + span.s1) / 2;
+  const Place2 steps = samples.step_at(along_u(side) ? Place2{t, s} : Place2{s, t});
+  return {samples, q, side, span, along_u(side) ? steps : Place2{steps.v, steps.u}};
+}
+
 // An element ends where a face stands out of it. The edge is where their planes meet, whichever of the two the points
 // near the corner were assigned to.
-void use_corner(const std::vector<FacePoint>& corner, double about, double beside, const SideSearch& q,
-                const SideSpan& span, double noise, LocatedEdge& edge) {
-  const FaceSearch f{about - beside, about + beside, kFaceWidths * noise, kCornerDeep, span.s1 - span.s0};
-  const FaceLine face = find_face(densest_cluster(corner, f), f, q.depth);
-  if (face.points > 0) use_face(face, noise, edge);
+void use_corner(const SideSamples& around, double about, double beside, const SideView& view, LocatedEdge& edge) {
+  const double length = view.span.s1 - view.span.s0;
+  const FaceSearch f{about - beside, about + beside, kFaceWidths * view.noise, kCornerDeep, length};
+  const FaceLine face = find_face(densest_cluster(around.corner, f), f, view.q.depth);
+  if (face.points > 0) use_face(face, view.noise, edge);
 }
 
 // Finds the end of an element with nothing behind it, or of the wall at a hole without an echo, from the last points of
 // the scan lines. If the lines cross the side one after the other, they end anywhere within one step of it. If all end
 // at one place, the side is up to one step farther on. An echo from the rim of a beam lies beyond by the radius of the
 // beam.
-void set_end(const SideSamples& around, bool hole, const SideSpan& span, double step, double step_along, double beam,
-             LocatedEdge& edge) {
+void set_end(const SideSamples& around, bool hole, const SideView& view, LocatedEdge& edge) {
+  const double step = view.steps.u;
   const std::vector<double>& solid = hole ? around.outside : around.inside;
   const double sign = hole ? -1 : 1;
-  std::vector<double> ends =
-      ends_of(solid, hole ? around.outside_along : around.inside_along, sign, span, slots_of(span, step_along));
+  std::vector<double> ends = ends_of(solid, hole ? around.outside_along : around.inside_along, sign, view.span,
+                                     slots_of(view.span, view.steps.v));
   const double last = *std::max_element(ends.begin(), ends.end());
   std::erase_if(ends, [&](double end) { return !(end > last - kStepsOfShadow * step); });
   const double high = lower_quantile(ends, 1 - kTailOfEnds);
   const double open =
       std::max(0.0, step - (high - lower_quantile(ends, kTailOfEnds)));  // part of a step in which no line ended
-  edge.at = sign * (high + open / 2 - beam);
-  edge.error = open / 2 + beam;
+  edge.at = sign * (high + open / 2 - view.beam);
+  edge.error = open / 2 + view.beam;
   edge.points = solid.size() << around.level;
 }
 
 // Finds where the wall ends at a hole without an echo; from the points of its side face where there are enough. What
 // stands before the wall may hide its end, as a sill does: then it is anywhere behind that.
-void set_end_of_wall(const SideSamples& around, const SideSearch& q, const SideSpan& span, Place2 steps, double noise,
-                     double beam, LocatedEdge& edge) {
+void set_end_of_wall(const SideSamples& around, const SideView& view, LocatedEdge& edge) {
   constexpr double kHiding = 0.2;  // Choice: a railing hides less; share of the rays beside the end that met something
-  set_end(around, true, span, steps.u, steps.v, beam, edge);
-  edge.error += kBoundOfNoise * noise;
+  set_end(around, true, view, edge);
+  edge.error += kBoundOfNoise * view.noise;
   edge.inner = edge.at;
   const double beside = edge.error + kBesideGap;
-  const FaceSearch f{edge.at - beside, edge.at + beside, kFaceWidths * noise * around.lean, q.face_to - q.face_from,
-                     span.s1 - span.s0};
-  if (const FaceLine face = find_face(densest_cluster(around.face, f), f, q.depth); face.points > 0) {
-    use_face(face, noise, edge);
-    return;
-  }
+  const FaceSearch f{edge.at - beside, edge.at + beside, kFaceWidths * view.noise * around.lean,
+                     view.q.face_to - view.q.face_from, view.span.s1 - view.span.s0};
+  const FaceLine face = find_face(densest_cluster(around.face, f), f, view.q.depth);
+  if (face.points > 0) return use_face(face, view.noise, edge);
   std::vector<double> hiding;
   for (const double t : around.before)
     if (t < edge.at) hiding.push_back(t);
@@ -296,81 +312,88 @@ void set_end_of_wall(const SideSamples& around, const SideSearch& q, const SideS
   edge.status = DrawnStatus::occluded;
 }
 
+// Divides the samples of a side. An edge with so few samples on one side that they may be stray was not seen.
+EdgeSplit split_of(const SideSamples& around, const SideView& view) {
+  EdgeSplit split = split_edge(around.inside, around.outside);
+  if (view.q.hole && view.oblique &&
+      (are_stray(around.outside, around.inside) || (view.q.silent && are_stray(around.inside, around.outside))))
+    split.found = false;
+  return split;
+}
+
+// The end of an element with nothing behind it.
+void set_end_of_element(const SideSamples& around, const SideView& view, LocatedEdge& edge) {
+  set_end(around, false, view, edge);
+  edge.error += kBoundOfNoise * view.noise;
+  edge.status = around.hidden > 0 ? DrawnStatus::occluded : DrawnStatus::seen;
+  use_corner(around, edge.at, kCornerReach + view.steps.u, view, edge);
+  edge.inner = edge.at;
+}
+
+// Finds the side face at a split from its points, or from the echoes of beams that the edge split. Before a hole, the
+// echo of a split beam may be anywhere. Before the wall, it is as far on one side of the edge as on the other.
+FaceLine face_at(SideSamples& around, const EdgeSplit& split, double beside, const SideView& view) {
+  const SideSearch& q = view.q;
+  const FaceSearch f{split.at - beside, split.at + beside, kFaceWidths * view.noise * around.lean,
+                     q.face_to - q.face_from, view.span.s1 - view.span.s0};
+  const FaceLine face = find_face(densest_cluster(around.face, f), f, q.depth);
+  if (face.points > 0 || q.hole || !view.oblique) return face;
+  if (2 * around.deep < around.through)
+    for (const FacePoint& p : around.rim)
+      if (std::abs(p.t - split.at) <= split.half_gap + view.noise + view.beam) around.face.push_back(p);
+  return find_touches(densest_cluster(std::move(around.face), f), f, view.noise);
+}
+
+// Places the edge between the samples of its two sides, or where points of a face show it.
+void set_split(SideSamples& around, const EdgeSplit& split, const SideView& view, LocatedEdge& edge) {
+  const SideSearch& q = view.q;
+  const double step = view.steps.u, noise = kBoundOfNoise * view.noise;
+  edge.at = split.at;
+  edge.error = split.half_gap + noise + view.beam + blur_at(around, split.at, split.half_gap + 2 * step);
+  if (!q.hole && along_u(view.side) && view.samples.guessed()) edge.error += kGuessed * std::abs(q.depth);
+  edge.points = (around.inside.size() + around.outside.size() - split.wrong) << around.level;
+  if (!view.oblique) {  // what is behind is hidden beside the edge: the edge is half a step from the solid side
+    edge.at = q.hole ? split.at + split.half_gap - step / 2 : split.at - split.half_gap + step / 2;
+    edge.error = step / 2 + noise;
+  } else if (2 * split.half_gap > kStepsOfShadow * step) {
+    edge.status = DrawnStatus::occluded;
+  }
+  edge.inner = split.at - split.half_gap;
+  const double beside = split.half_gap + kBesideGap;
+  const FaceLine face = face_at(around, split, beside, view);
+  if (face.points > 0)
+    use_face(face, view.noise, edge);
+  else
+    use_corner(around, split.at, beside, view, edge);
+}
+
 }  // namespace
 
 LocatedEdge locate_edge(const RaySamples& samples, const SideSearch& q, Side side) {
   // Choice: where no point of the far side was found, the search grows once by this factor; an edge hidden over a wider
   // strip stays unknown.
   constexpr double kWider = 2.4;
-  const SideSpan span = span_of(q.box, side);
-  const double sign = outwards(side);
-  SideSamples around = samples_of(samples, q, side, span, q.reach);
-  const std::vector<double>& far_side = q.hole ? around.outside : around.inside;
-  double reach = q.reach;
-  if (far_side.empty()) around = samples_of(samples, q, side, span, reach *= kWider);
-  const Place2 middle =
-      along_u(side) ? Place2{sign * span.t, (span.s0 + span.s1) / 2} : Place2{(span.s0 + span.s1) / 2, sign * span.t};
-  const Place2 steps = samples.step_at(middle);
-  const double step = along_u(side) ? steps.u : steps.v, step_along = along_u(side) ? steps.v : steps.u;
-  if (!q.hole && !samples.oblique()) drop_hidden(around, span, slots_of(span, step_along));
+  const SideView view = view_of(samples, q, side);
+  SideSamples around = samples_of(samples, q, side, view.span, q.reach);
+  if ((q.hole ? around.outside : around.inside).empty())
+    around = samples_of(samples, q, side, view.span, kWider * q.reach);
+  if (!q.hole && !view.oblique) drop_hidden(around, view.span, slots_of(view.span, view.steps.v));
   LocatedEdge edge;
-  EdgeSplit split = split_edge(around.inside, around.outside);
-  if (q.hole && samples.oblique() &&
-      (are_stray(around.outside, around.inside) || (q.silent && are_stray(around.inside, around.outside))))
-    split.found = false;
-  const double noise = samples.site().noise;
-  const double beam = samples.oblique() ? kBeam : 0;
+  const EdgeSplit split = split_of(around, view);
+  const bool wide = 2 * split.half_gap > kStepsOfShadow * view.steps.u;
   if (!split.found && !q.hole && !around.inside.empty()) {
-    set_end(around, false, span, step, step_along, beam, edge);
-    edge.error += kBoundOfNoise * noise;
-    edge.status = around.hidden > 0 ? DrawnStatus::occluded : DrawnStatus::seen;
-    use_corner(around.corner, edge.at, kCornerReach + step, q, span, noise, edge);
-    edge.at *= sign;
-    edge.inner = edge.at;
-    return edge;
-  }
-  const bool wide = 2 * split.half_gap > kStepsOfShadow * step;
-  if (q.hole && q.silent && samples.oblique() && !around.outside.empty() && (!split.found || wide)) {
-    set_end_of_wall(around, q, span, {step, step_along}, noise, beam, edge);
-    edge.at *= sign;
-    edge.inner *= sign;
-    return edge;
-  }
-  if (!split.found) {
-    edge.at = edge.inner = sign * span.t;
+    set_end_of_element(around, view, edge);
+  } else if (q.hole && q.silent && view.oblique && !around.outside.empty() && (!split.found || wide)) {
+    set_end_of_wall(around, view, edge);
+  } else if (split.found) {
+    set_split(around, split, view, edge);
+  } else {
+    edge.at = edge.inner = view.span.t;
     edge.error = kNothingKnown;
     edge.status = DrawnStatus::occluded;
-    return edge;
   }
-  double t = split.at;
-  edge.error = split.half_gap + kBoundOfNoise * noise + beam + blur_at(around, split.at, split.half_gap + 2 * step);
-  if (!q.hole && along_u(side) && samples.guessed()) edge.error += kGuessed * std::abs(q.depth);
-  edge.points = (around.inside.size() + around.outside.size() - split.wrong) << around.level;
-  if (!samples.oblique()) {  // what is behind is hidden beside the edge: the edge is half a step from the solid side
-    t = q.hole ? split.at + split.half_gap - step / 2 : split.at - split.half_gap + step / 2;
-    edge.error = step / 2 + kBoundOfNoise * noise;
-  } else if (wide) {
-    edge.status = DrawnStatus::occluded;
-  }
-  edge.inner = sign * (split.at - split.half_gap);
-  const double beside = split.half_gap + kBesideGap;
-  const FaceSearch f{split.at - beside, split.at + beside, kFaceWidths * noise * around.lean, q.face_to - q.face_from,
-                     span.s1 - span.s0};
-  FaceLine face = find_face(densest_cluster(around.face, f), f, q.depth);
-  if (face.points == 0 && !q.hole && samples.oblique()) {
-    // Before a hole, the echo of a split beam may be anywhere. Before the wall, it is as far on one side of the edge as
-    // on the other.
-    if (2 * around.deep < around.through)
-      for (const FacePoint& p : around.rim)
-        if (std::abs(p.t - split.at) <= split.half_gap + noise + beam) around.face.push_back(p);
-    face = find_touches(densest_cluster(std::move(around.face), f), f, noise);
-  }
-  edge.at = t;
-  if (face.points > 0)
-    use_face(face, noise, edge);
-  else
-    use_corner(around.corner, split.at, beside, q, span, noise, edge);
-  edge.at *= sign;
+  edge.at *= outwards(side);
+  edge.inner *= outwards(side);
   return edge;
 }
 

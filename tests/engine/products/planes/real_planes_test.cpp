@@ -8,7 +8,7 @@
 #include <map>
 #include <sstream>
 
-#include "engine/compare/plane_matching.h"
+#include "engine/compare/planes/plane_matching.h"
 #include "engine/products/planes/join/label_pass.h"
 #include "tests/engine/formats/fixtures.h"
 #include "tests/support/plane_store.h"

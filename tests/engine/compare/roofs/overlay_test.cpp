@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/compare/roofs/overlay.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ilot {
+namespace {
+
+FlatPolygon rectangle(double x0, double y0, double x1, double y1) {
+  return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
+}
+
+double length(const std::vector<FlatEdge>& edges) {
+  double sum = 0;
+  for (const auto& [a, b] : edges) sum += std::hypot(b.x - a.x, b.y - a.y);
+  return sum;
+}
+
+TEST(Overlay, MeasuresCommonAreas) {
+  FlatPolygon framed = rectangle(0, 0, 10, 10);
+  framed.holes.push_back(rectangle(2, 2, 8, 8).ring);
+  const FlatArea frame(std::span(&framed, 1));
+  const FlatPolygon right = rectangle(5, 0, 15, 10);
+  EXPECT_NEAR(frame.area(), 64, 1e-12);
+  EXPECT_NEAR(frame.common_area(FlatArea(std::span(&right, 1))), 32, 1e-12);
+  EXPECT_NEAR(intersection_over_union(frame, FlatArea(std::span(&right, 1))), 32.0 / (64 + 100 - 32), 1e-12);
+  EXPECT_NEAR(intersection_over_union(frame, frame), 1, 1e-12);
+  EXPECT_NEAR(length(frame.edges()), 40 + 24, 1e-12);
+}
+
+TEST(Overlay, HolesMayRunAlongTheOuterRing) {
+  FlatPolygon notched = rectangle(3, 0, 10, 10);
+  notched.holes.push_back(rectangle(3, 3, 7, 7).ring);
+  EXPECT_NEAR(FlatArea(std::span(&notched, 1)).area(), 70 - 16, 1e-12);
+}
+
+TEST(Overlay, NeighboursWithinTheGridBecomeOne) {
+  const std::vector<FlatPolygon> halves{rectangle(0, 0, 5, 4), rectangle(5.0003, 0, 9, 4)};
+  EXPECT_NEAR(length(FlatArea(halves, 0.001).edges()), 26, 0.01);
+  EXPECT_NEAR(length(FlatArea(halves).edges()), 18 + 2 * 3.9997 + 8, 1e-9);
+}
+
+TEST(Overlay, TakesWhatIsDegenerate) {
+  const FlatArea none({});
+  EXPECT_EQ(none.area(), 0);
+  EXPECT_TRUE(none.edges().empty());
+  EXPECT_EQ(intersection_over_union(none, none), 0);
+  const FlatPolygon bow{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, {}}, line{{{0, 0}, {1, 1}, {2, 2}}, {}},
+      stump{{{0, 0}, {1, 0}}, {}};
+  EXPECT_NEAR(FlatArea(std::span(&bow, 1)).area(), 2, 1e-12);
+  EXPECT_EQ(FlatArea(std::span(&line, 1)).area(), 0);
+  EXPECT_EQ(FlatArea(std::span(&stump, 1)).area(), 0);
+}
+
+}  // namespace
+}  // namespace ilot
