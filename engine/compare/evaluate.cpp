@@ -2,7 +2,9 @@
 #include "engine/compare/evaluate.h"
 
 #include <algorithm>
+#include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "engine/compare/labels/label_counts.h"
 #include "engine/deliverables/layers/gpkg_readers.h"
@@ -187,8 +189,13 @@ void evaluate_roof_models(const ResultFiles& files, const Truth& truth, double m
   params.metres_per_unit = metres_per_unit;
   RoofEvaluation roofs{
       evaluate_roofs(true_roofs(truth.planes, origin), model_roofs(file.models, origin, metres_per_unit), params),
-      file.models.size(), 0};
+      file.models.size(),
+      0,
+      {}};
   for (const PolygonModel& model : file.models) roofs.closed += is_closed(model);
+  const std::vector<Wireframe> wireframes = true_wireframes(truth.planes, metres_per_unit);
+  for (const EdgeScore& score : compare_wireframes(wireframes, file.models, files.outlines_given, metres_per_unit))
+    roofs.edges.add(score);
   evaluation.roofs = roofs;
 }
 
@@ -219,6 +226,13 @@ void evaluate_street(const ResultFiles& files, const LabelCounts& counts, const 
     evaluation.probabilities = evaluate_probabilities(*files.objects, evaluation.objects->right_of_found);
 }
 
+// Tells whether the record of a run states footprints. False without a record.
+bool states_footprints(const fs::path& record) {
+  std::ifstream file(record);
+  const auto json = nlohmann::json::parse(file, nullptr, false);
+  return json.is_object() && json.contains("footprints");
+}
+
 }  // namespace
 
 ResultFiles find_results(const fs::path& result) {
@@ -236,6 +250,7 @@ ResultFiles find_results(const fs::path& result) {
   };
   files.clouds = files_in(result / "points", is_cloud_extension);
   files.facades = files_in(result / "facades", named(".json"));
+  files.outlines_given = states_footprints(result / "run.json");
   if (fs::is_regular_file(result / "planes.csv")) files.planes_csv = result / "planes.csv";
   if (fs::is_regular_file(result / "streets" / "objects.gpkg")) files.objects = result / "streets" / "objects.gpkg";
   for (const char* end : {".city.jsonl", ".city.json", ".obj"}) {

@@ -19,6 +19,7 @@
 #include "engine/compare/planes/plane_errors.h"
 #include "engine/compare/planes/plane_sizes.h"
 #include "engine/compare/roofs/roofs.h"
+#include "engine/compare/roofs/wireframe.h"
 
 namespace ilot {
 
@@ -43,6 +44,7 @@ struct PlaneEvaluation {
 struct RoofEvaluation {
   RoofResult result;
   std::uint64_t models = 0, closed = 0;  // found buildings, and those of them whose shells are closed
+  EdgeScore edges;
 };
 
 // The probabilities that objects.gpkg states, of all found objects and by the class that was found.
@@ -73,6 +75,7 @@ struct Evaluation {
 struct ResultFiles {
   std::vector<std::filesystem::path> clouds, facades;
   std::optional<std::filesystem::path> planes_csv, roofs, objects;
+  bool outlines_given = false;  // the outlines of roofs are footprints
 };
 ResultFiles find_results(const std::filesystem::path& result);
 

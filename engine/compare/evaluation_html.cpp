@@ -133,7 +133,8 @@ std::string roofs_html(const RoofEvaluation& r) {
                                             {"RMS, m", metres_html(result.rms_m)},
                                             {"covered", percent_html(result.covered)},
                                             {"largest distance, m", metres_html(result.hausdorff_m)},
-                                            {"outline p95, m", metres_html(result.outline_p95_m)}});
+                                            {"outline p95, m", metres_html(result.outline_p95_m)},
+                                            {"F1 of edges", r.edges.f1() ? percent_html(*r.edges.f1()) : "-"}});
   html +=
       "<div class=\"scroll\"><table><tr><th>faces from, m²</th><th>true</th><th>matched</th><th></th>"
       "<th>right neighbours</th><th></th></tr>\n";

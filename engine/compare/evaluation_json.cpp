@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/compare/evaluation_report.h"
+#include "engine/compare/roofs/wireframe_report.h"
 
 namespace ilot {
 namespace {
@@ -93,7 +94,8 @@ Json json_of(const RoofEvaluation& r) {
             {"rms_m", number(result.rms_m)},
             {"hausdorff_m", number(result.hausdorff_m)},
             {"covered", result.covered},
-            {"outline_p95_m", number(result.outline_p95_m)}};
+            {"outline_p95_m", number(result.outline_p95_m)},
+            {"edges", edges_json(r.edges)}};
   json["sizes"] = Json::array();
   for (const RoofSizeClass& size : result.classes)
     json["sizes"].push_back({{"from_m2", size.from_m2},

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/compare/evaluation_report.h"
+#include "engine/compare/roofs/wireframe_report.h"
 
 namespace ilot {
 namespace {
@@ -158,7 +159,8 @@ std::string roofs_text(const RoofEvaluation& r) {
   return text + table(rows) +
          fmt::format("heights  RMS {} m, {} of the true roofs covered\nlargest distance {} m, outline p95 {} m\n",
                      metres(result.rms_m), percent(result.covered), metres(result.hausdorff_m),
-                     metres(result.outline_p95_m));
+                     metres(result.outline_p95_m)) +
+         edges_text(r.edges);
 }
 
 std::string objects_text(const ObjectResult& o) {

@@ -4,9 +4,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/compare/evaluation_report.h"
 #include "engine/compare/facades/drawing_control.h"
+#include "engine/compare/roofs/wireframe_report.h"
 #include "engine/compare/seams.h"
 #include "engine/deliverables/solids/model_file.h"
 #include "engine/error.h"
@@ -20,6 +22,7 @@ namespace {
 
 struct EvaluateArguments {
   std::string input, truth, html, models, cloud, drawing, corrected, layers = "ilot", against;
+  std::vector<std::string> wireframes;
   EvaluateParams params;
   ModelPointsParams points;
   ModelResidualParams residuals;
@@ -71,6 +74,16 @@ int evaluate_seams_of_run(const EvaluateArguments& given) {
   return static_cast<int>(ExitCode::ok);
 }
 
+int evaluate_roof_edges(const EvaluateArguments& given) {
+  if (given.input.empty())
+    throw Error("evaluate: --wireframe needs OUT, the output folder of a run or a file of models", ExitCode::usage);
+  if (given.truth_fields || given.seams || !given.truth.empty() || !given.html.empty())
+    throw Error("evaluate: --wireframe is the truth: no --truth, --truth-fields, --seams or --html", ExitCode::usage);
+  const WireframeEvaluation evaluation = evaluate_wireframes(given.input, given.wireframes);
+  print(given.json ? wireframes_json(evaluation) : wireframes_text(evaluation));
+  return static_cast<int>(ExitCode::ok);
+}
+
 Truth truth_for(const EvaluateArguments& given) {
   if (given.truth_fields) return {};
   return is_model_file(given.truth) ? truth_of_models(read_models(given.truth).models) : read_truth(given.truth);
@@ -79,6 +92,7 @@ Truth truth_for(const EvaluateArguments& given) {
 int evaluate_command(const EvaluateArguments& given) {
   if (!given.drawing.empty() || !given.corrected.empty()) return evaluate_drawing(given);
   if (!given.models.empty() || !given.cloud.empty()) return evaluate_models(given);
+  if (!given.wireframes.empty()) return evaluate_roof_edges(given);
   if (given.seams) return evaluate_seams_of_run(given);
   if (!given.against.empty()) throw Error("evaluate: --against belongs to --seams", ExitCode::usage);
   if (given.input.empty()) throw Error("evaluate: OUT is needed (ilot evaluate --help)", ExitCode::usage);
@@ -168,12 +182,17 @@ void add_evaluate_command(CLI::App& app, Action& action) {
       ->add_option("--against", given->against,
                    "with --seams: output folder of a run over the same rows, to compare pairs of neighbours [none]")
       ->option_text("OUT");
+  command
+      ->add_option("--wireframe", given->wireframes,
+                   "judge the edges of roofs by true wireframes: OBJ files of v and l lines, one building each [none]")
+      ->option_text("FILE...");
   add_model_options(*command, *given);
   add_drawing_options(*command, *given);
   command->add_option("--html", given->html, "also write a fragment for a page [none]")->option_text("FILE");
   command->add_flag("--json", given->json, "for programs [off]");
   command->footer(
       "Example: ilot evaluate out --truth town.truth.json\n"
+      "Example: ilot evaluate out --wireframe house-1.obj house-2.obj\n"
       "Example: ilot evaluate --models roofs.city.jsonl --cloud town.laz --class 6 --faces roofs\n"
       "Example: ilot evaluate --drawing facade-001.dxf --corrected corrected.dxf");
   command->callback([given, &action] { action = [given] { return evaluate_command(*given); }; });

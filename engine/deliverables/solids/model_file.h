@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/model/polygon_model.h"
@@ -11,10 +12,11 @@
 namespace ilot {
 
 struct ModelFile {
-  std::vector<PolygonModel> models;              // in the file's order; names are unique
-  std::vector<std::string> warnings;             // what was left out
-  std::string crs = {};                          // of CityJSON, for crs_from_text(): "EPSG:7415"; empty = not given
-  std::vector<std::string> material_files = {};  // of OBJ: as mtllib names them
+  std::vector<PolygonModel> models;               // in the file's order; names are unique
+  std::vector<std::string> warnings;              // what was left out
+  std::string crs = {};                           // of CityJSON, for crs_from_text(): "EPSG:7415"; empty = not given
+  std::vector<std::string> material_files = {};   // of OBJ: as mtllib names them
+  std::vector<std::pair<Vec3, Vec3>> lines = {};  // of OBJ: the segments of its polylines (l), of all groups
 };
 
 struct ModelReading {
@@ -34,7 +36,7 @@ ModelFile read_models(const std::filesystem::path& path, const ModelReading& wan
 bool is_model_file(const std::filesystem::path& path);
 
 // Returns one model for each `o` or `g` (equal names are one model), or one named `stem` when there is neither. Only v,
-// f, o, g, usemtl and mtllib are read. `name` is for messages. A face with fewer corners than `least_corners` is a
+// f, l, o, g, usemtl and mtllib are read. `name` is for messages. A face with fewer corners than `least_corners` is a
 // fault of the file.
 ModelFile parse_obj(std::string_view text, const std::string& name, const std::string& stem,
                     std::size_t least_corners = 3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wavefront OBJ: the lines v, f, o, g, usemtl and mtllib.
+// Wavefront OBJ: the lines v, f, l, o, g, usemtl and mtllib.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,6 +28,8 @@ class ObjParser {
       vertices_.push_back(vertex(text));
     } else if (word == "f") {
       add_face(text);
+    } else if (word == "l") {
+      add_line(text);
     } else if (word == "o" || word == "g") {
       group_ = std::string(rest(text));
       current_.reset();
@@ -83,14 +85,14 @@ class ObjParser {
   }
 
   // Reads 12, 12/3, 12//4, 12/3/4 or a number counted from the end, -1.
-  std::uint32_t corner(std::string_view word) const {
+  std::uint32_t corner(std::string_view word, const char* of) const {
     std::int64_t index = 0;
     const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), index);
     if (code != std::errc() || (end != word.data() + word.size() && *end != '/'))
-      fail(fmt::format("'{}' is no corner of a face", word));
+      fail(fmt::format("'{}' is no corner of a {}", word, of));
     const auto count = static_cast<std::int64_t>(vertices_.size());
     const std::int64_t place = index < 0 ? count + index : index - 1;
-    if (place < 0 || place >= count) fail(fmt::format("a face names vertex {} of {}", index, count));
+    if (place < 0 || place >= count) fail(fmt::format("a {} names vertex {} of {}", of, index, count));
     return static_cast<std::uint32_t>(place);
   }
 
@@ -98,7 +100,7 @@ class ObjParser {
     std::vector<std::uint32_t> corners;
     for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) {
       if (corners.size() == kMaxCorners) fail(fmt::format("a face has more than {} corners", kMaxCorners));
-      corners.push_back(corner(word));
+      corners.push_back(corner(word, "face"));
     }
     if (corners.size() < least_corners_) fail("a face has fewer than three corners");
     enter_group();
@@ -110,6 +112,17 @@ class ObjParser {
       i = entry->second;
     }
     model.faces.push_back({{std::move(corners)}, FaceKind::unknown, 0, surface_of(model)});
+  }
+
+  void add_line(std::string_view text) {
+    std::optional<Vec3> before;
+    std::size_t corners = 0;
+    for (std::string_view word = take_word(text); !word.empty(); word = take_word(text), ++corners) {
+      const Vec3 p = vertices_[corner(word, "line")];
+      if (before) file_.lines.emplace_back(*before, p);
+      before = p;
+    }
+    if (corners < 2) fail("a line has fewer than two corners");
   }
 
   // Returns the index of the current material among the surfaces of the model.
