@@ -62,8 +62,7 @@ std::vector<double> box_sums(const std::vector<double>& own, std::size_t w, std:
 enum class OnLine : std::uint8_t { no_line, beside, on };
 
 // Looks for lines of at least four upright cells, longer than `length` cells. All sums are whole numbers.
-std::vector<OnLine> lines_of(const Image& shape, const Image& top, std::uint32_t reach, double length,
-                                   Height least) {
+std::vector<OnLine> lines_of(const Image& shape, const Image& top, std::uint32_t reach, double length, Height least) {
   const std::size_t w = shape.width, h = shape.height;
   std::array<std::vector<double>, 6> sums;
   for (std::size_t k = 0; k < sums.size(); ++k) {
@@ -202,8 +201,7 @@ class StructureFinder {
     std::mutex mutex;
     const auto read = [&](std::size_t tile) {
       Image image = layer_tile(layers_, "structure", tile);
-      for (Height& v : image.values)
-        v = is_of_building(static_cast<Structure>(v)) ? 0 : kNoHeight;
+      for (Height& v : image.values) v = is_of_building(static_cast<Structure>(v)) ? 0 : kNoHeight;
       return image;
     };
     const auto write = [&](std::size_t tile, const PixelLabels& labels) {
