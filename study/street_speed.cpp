@@ -103,7 +103,7 @@ void measure(const std::filesystem::path& cloud, const std::filesystem::path& wo
   clock.time("heights", [&] { tiles.draw_heights(view); });
   clock.time("structures", [&] {
     find_structures(tiles.cells(), view);
-    tiles.take_out_crowns();
+    tiles.take_out_overhead();
   });
   clock.time("ground", [&] { fill_ground_tiled(tiles.layers(), scale); });
   clock.time("mask", [&] { find_street_mask(tiles.layers(), tiles.cells()); });

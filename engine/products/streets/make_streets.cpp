@@ -117,23 +117,26 @@ void record_choices(const StreetsSettings& settings, const FoundStreet& street, 
                      air ? "what is upright was hardly seen" : "it was scanned from the ground")});
 }
 
-// Whether a candidate is the trunk of a crown above it: it reaches up to where the crown was taken out.
-bool is_trunk(const FoundStreet& street, const ObjectCandidate& candidate) {
+// What a candidate carries: a crown if it is a trunk, an overhang if it is a pillar. It reaches up to where that was
+// taken out.
+Structure carried(const FoundStreet& street, const ObjectCandidate& candidate) {
   const Cells& cells = street.tiles->cells();
   if (candidate.features[static_cast<std::size_t>(ComponentFeature::max_height)] < kTrunkShare * kClearance)
-    return false;
+    return Structure::none;
   const auto cell = [&](double pixel) { return static_cast<std::int64_t>((pixel + 0.5) / cells.factor); };
   const Image structure =
       layer_window(cells.layers, "structure", cell(candidate.middle_x), cell(candidate.middle_y), 1, 1);
-  return structure.values[0] == static_cast<Height>(Structure::crown);
+  return static_cast<Structure>(structure.values[0]);
 }
 
-// The classes of candidates, without trunks: these are vegetation.
+// The classes of candidates. Trunks are vegetation, and pillars are none, as they belong to a building.
 std::vector<CandidateClass> classes_without_trunks(const FoundStreet& street, std::vector<CandidateClass> classes) {
-  for (std::size_t i = 0; i < classes.size(); ++i)
-    if (classes[i].label != PointLabel::car && is_street_object(classes[i].label) &&
-        is_trunk(street, street.candidates[i]))
-      classes[i].label = PointLabel::vegetation;
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    if (classes[i].label == PointLabel::car || !is_street_object(classes[i].label)) continue;
+    const Structure above = carried(street, street.candidates[i]);
+    if (above == Structure::crown) classes[i].label = PointLabel::vegetation;
+    if (above == Structure::overhang) classes[i].label = PointLabel::none;
+  }
   return classes;
 }
 
@@ -163,7 +166,7 @@ FoundStreet find_street(const Store& store, const StreetsSettings& settings, con
   street.terrain = find_terrain(tiles.cells());
   tiles.draw_heights(street.view);
   find_structures(tiles.cells(), street.view);
-  tiles.take_out_crowns();
+  tiles.take_out_overhead();
   fill_ground_tiled(tiles.layers(), scale, ground_params(settings, scale));
   find_street_mask(tiles.layers(), tiles.cells());
   find_artefacts_tiled(tiles.layers(), scale, artefacts);

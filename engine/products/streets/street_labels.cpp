@@ -33,11 +33,14 @@ class Verdict {
     const Height above = height_of(p.z) - level;
     if (above < least_) return {0, PointLabel::ground};
     const auto candidate = static_cast<std::uint32_t>(tile.candidates.values[pixel]);
-    const Height structure = tile.structure.values[tiles_.cells().cell_of(pixel, side_)];
-    if (structure == static_cast<Height>(Structure::crown) && above >= clearance_) return {0, PointLabel::vegetation};
+    const auto structure = static_cast<Structure>(tile.structure.values[tiles_.cells().cell_of(pixel, side_)]);
+    if (is_overhead(structure) && above >= clearance_)
+      return {0, structure == Structure::crown ? PointLabel::vegetation : PointLabel::facade};
     if (candidate == kRoof) return {0, above >= clearance_ ? PointLabel::roof : PointLabel::facade};
     if (candidate == kFacade) return {0, PointLabel::facade};
-    return {candidates_.object[candidate], candidates_.label[candidate]};
+    const PointLabel label = candidates_.label[candidate];
+    if (structure == Structure::overhang && label == PointLabel::none) return {0, PointLabel::facade};
+    return {candidates_.object[candidate], label};
   }
 
  private:

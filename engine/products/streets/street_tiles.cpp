@@ -222,15 +222,15 @@ void StreetTiles::draw_heights(StreetView view) const {
   });
 }
 
-void StreetTiles::take_out_crowns() const {
+void StreetTiles::take_out_overhead() const {
   for_each_tile(raster().grid, [&](std::size_t tile) {
     const Image structure = layer_tile(cells_.layers, "structure", tile);
-    const auto crown = static_cast<Height>(Structure::crown);
-    if (std::find(structure.values.begin(), structure.values.end(), crown) == structure.values.end()) return;
+    const auto overhead = [](Height v) { return is_overhead(static_cast<Structure>(v)); };
+    if (std::none_of(structure.values.begin(), structure.values.end(), overhead)) return;
     Image range = layer_tile(layers(), "range", tile), accumulation = layer_tile(layers(), "accumulation", tile);
     const Image clear = layer_tile(layers(), "clear", tile), points = layer_tile(layers(), "clear points", tile);
     for (std::size_t i = 0; i < range.size(); ++i)
-      if (structure.values[cells_.cell_of(i, kSide)] == crown)
+      if (overhead(structure.values[cells_.cell_of(i, kSide)]))
         range.values[i] = clear.values[i], accumulation.values[i] = points.values[i];
     layers().write("range", tile, range);
     layers().write("accumulation", tile, accumulation);
@@ -287,7 +287,7 @@ void StreetTiles::count_above(double least_height, double low_height, StreetView
       const Height ground = level.values[pixel];
       if (ground == kNoHeight || z - ground < least) return;
       if (z - ground >= clearance &&
-          structure.values[cells_.cell_of(pixel, kSide)] == static_cast<Height>(Structure::crown))
+          is_overhead(static_cast<Structure>(structure.values[cells_.cell_of(pixel, kSide)])))
         return;
       ++above.values[pixel];
       low.values[pixel] += z - ground < low_below;

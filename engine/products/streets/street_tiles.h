@@ -63,9 +63,9 @@ class StreetTiles {
   // and "clear points", the highest point below kClearance above the terrain and the number of points below it.
   void draw_heights(StreetView view) const;
 
-  // Takes crowns out of the images: in cells with a crown (the layer "structure") "range" and "accumulation" become
-  // those of the points below kClearance. Drops what draw_heights wrote.
-  void take_out_crowns() const;
+  // Takes crowns and overhangs out of the images: in cells with one (the layer "structure") "range" and "accumulation"
+  // become those of the points below kClearance. Drops what draw_heights wrote.
+  void take_out_overhead() const;
 
   // The mean number of points of a ground pixel that has any; 1 where there is no such pixel. Reads "mask", "height"
   // and "accumulation".

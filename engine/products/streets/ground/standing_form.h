@@ -17,8 +17,13 @@ enum class StandingForm : std::uint8_t {
   volume = 4,    // a crown: points on no plane
 };
 
-// What stands in a cell that has a wall or a roof, or a crown above.
-enum class Structure : std::uint8_t { none = 0, wall = 1, roof = 2, crown = 3 };
+// What stands in a cell that has a wall or a roof, or a crown or a part of a building above.
+enum class Structure : std::uint8_t { none = 0, wall = 1, roof = 2, crown = 3, overhang = 4 };
+
+// Whether only what is high above the ground belongs to the structure: below it is free, and objects stand there.
+constexpr bool is_overhead(Structure s) {
+  return s == Structure::crown || s == Structure::overhang;
+}
 
 // Sums over the points of a cell, in whole units from the cell's corner and the terrain, so that order does not matter.
 class StandingPoints {

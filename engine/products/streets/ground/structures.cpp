@@ -17,6 +17,9 @@ constexpr std::uint32_t kLeastWalls = 3;  // cells of a wall near what belongs t
 constexpr double kLeastOfLine = 4;  // upright cells of a line
 // Derived: a straight line aslant to the cells has up to 0.6; walls with niches have more.
 constexpr double kWidestLine = 0.8;  // cells; standard deviation across a line
+// Derived: two standard deviations of the widest line.
+constexpr double kFarthestOfLine = 2 * kWidestLine;  // cells
+constexpr std::uint32_t kLoneCells = 2;  // upright cells in a square of three; a post on the border of two cells
 // Choice: a balcony of 1.2 m before a wall covers less than half of the cells; a crown that touches a wall covers more.
 constexpr double kCrownShare = 0.57;  // of the cells around one before a wall
 
@@ -55,10 +58,11 @@ std::vector<double> box_sums(const std::vector<double>& own, std::size_t w, std:
   return out;
 }
 
-// Where the upright cells around a cell lie on a line: at least four of them, longer than `length` cells. All sums are
-// whole numbers.
-std::vector<std::uint8_t> lines_of(const Image& shape, const Image& top, std::uint32_t reach, double length,
-                                   Height least) {
+// Whether the upright cells around a cell lie on a line, and whether the cell itself does.
+enum class OnLine : std::uint8_t { no_line, beside, on };
+
+// Looks for lines of at least four upright cells, longer than `length` cells. All sums are whole numbers.
+std::vector<OnLine> lines_of(const Image& shape, const Image& top, std::uint32_t reach, double length, Height least) {
   const std::size_t w = shape.width, h = shape.height;
   std::array<std::vector<double>, 6> sums;
   for (std::size_t k = 0; k < sums.size(); ++k) {
@@ -70,14 +74,18 @@ std::vector<std::uint8_t> lines_of(const Image& shape, const Image& top, std::ui
     }
     sums[k] = box_sums(own, w, h, reach);
   }
-  std::vector<std::uint8_t> out(w * h, 0);
+  std::vector<OnLine> out(w * h, OnLine::no_line);
   for (std::size_t i = 0; i < out.size(); ++i) {
     const double n = sums[0][i];
     if (n < kLeastOfLine) continue;
     const double x = sums[1][i] / n, y = sums[2][i] / n;
     const double xx = sums[3][i] / n - x * x, xy = sums[4][i] / n - x * y, yy = sums[5][i] / n - y * y;
     const double half = (xx + yy) / 2, root = std::sqrt((xx - yy) * (xx - yy) / 4 + xy * xy);
-    out[i] = half - root <= kWidestLine * kWidestLine && 12 * (half + root) >= length * length;
+    if (half - root > kWidestLine * kWidestLine || 12 * (half + root) < length * length) continue;
+    // The squared distance from the line: the part of the offset from the middle that is across the line.
+    const double dx = static_cast<double>(i % w) - x, dy = static_cast<double>(i / w) - y;
+    const double across = ((half + root - xx) * dx * dx - 2 * xy * dx * dy + (half + root - yy) * dy * dy) / (2 * root);
+    out[i] = across <= kFarthestOfLine * kFarthestOfLine ? OnLine::on : OnLine::beside;
   }
   return out;
 }
@@ -88,6 +96,10 @@ bool touches(const Image& shape, const Image& top, std::size_t i, StandingForm f
   for (const std::size_t j : {i - w - 1, i - w, i - w + 1, i - 1, i, i + 1, i + w - 1, i + w, i + w + 1})
     if (shape.values[j] == static_cast<Height>(form) && top.values[j] >= least) return true;
   return false;
+}
+
+bool is_of_building(Structure s) {
+  return s == Structure::wall || s == Structure::roof || s == Structure::overhang;
 }
 
 struct Building {
@@ -132,12 +144,18 @@ class StructureFinder {
                                  votes[static_cast<std::size_t>(StandingForm::pole)][i];
     const std::uint32_t area = (2 * reach_ + 1) * (2 * reach_ + 1);
     if (walls >= kLeastWalls) {
-      if (touches(shape, top, i, StandingForm::upright, wall_)) return Structure::wall;
+      const bool is_post = shape.values[i] == static_cast<Height>(StandingForm::pole) && view_ == StreetView::street;
+      const bool fixed = !is_post && touches(shape, top, i, StandingForm::upright, wall_);
+      if (fixed && (view_ == StreetView::air || top.values[i] < least_ ||
+                    shape.values[i] == static_cast<Height>(StandingForm::upright)))
+        return Structure::wall;
+      if (fixed) return Structure::overhang;
       if (top.values[i] < least_) return Structure::none;
-      // What stands before a wall is a part of it, as a balcony is, unless it is a post or a crown fills most of the
-      // box.
+      // What is high before a wall is a part of it, as a balcony is, unless it is a post or a crown fills most of the
+      // box. What stands below is not.
       if (crowns > kCrownShare * area) return Structure::crown;
-      return shape.values[i] == static_cast<Height>(StandingForm::pole) ? Structure::none : Structure::wall;
+      if (shape.values[i] == static_cast<Height>(StandingForm::pole)) return Structure::none;
+      return view_ == StreetView::street ? Structure::overhang : Structure::wall;
     }
     if (top.values[i] < least_) return Structure::none;
     // The cells along the edges of a roof are of no plane.
@@ -152,11 +170,16 @@ class StructureFinder {
     Image shape = layer_around(layers_, "shape", tile, halo);
     const Image top = layer_around(layers_, "top", tile, halo);
     if (view_ == StreetView::street) {
-      const std::vector<std::uint8_t> lines = lines_of(shape, top, line_reach_, line_length_, wall_);
+      const std::vector<OnLine> lines = lines_of(shape, top, line_reach_, line_length_, wall_);
       const std::vector<std::uint16_t> near =
           votes_of(shape, top, reach_, wall_)[static_cast<std::size_t>(StandingForm::upright)];
       const std::uint32_t run = reach_ + 2, area = (2 * reach_ + 1) * (2 * reach_ + 1);
-      const auto is_wall = [&](std::size_t i) { return lines[i] != 0 || (near[i] >= run && 2 * near[i] <= area); };
+      const std::vector<std::uint16_t> beside =
+          votes_of(shape, top, 1, wall_)[static_cast<std::size_t>(StandingForm::upright)];
+      const auto is_wall = [&](std::size_t i) {
+        if (lines[i] == OnLine::beside && beside[i] <= kLoneCells) return false;  // a post before a wall
+        return lines[i] != OnLine::no_line || (near[i] >= run && 2 * near[i] <= area);
+      };
       for (std::size_t i = 0; i < lines.size(); ++i)
         if (shape.values[i] == static_cast<Height>(StandingForm::upright) && !is_wall(i))
           shape.values[i] = static_cast<Height>(StandingForm::pole);
@@ -178,8 +201,7 @@ class StructureFinder {
     std::mutex mutex;
     const auto read = [&](std::size_t tile) {
       Image image = layer_tile(layers_, "structure", tile);
-      for (Height& v : image.values)
-        v = v == static_cast<Height>(Structure::wall) || v == static_cast<Height>(Structure::roof) ? 0 : kNoHeight;
+      for (Height& v : image.values) v = is_of_building(static_cast<Structure>(v)) ? 0 : kNoHeight;
       return image;
     };
     const auto write = [&](std::size_t tile, const PixelLabels& labels) {

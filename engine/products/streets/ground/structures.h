@@ -19,7 +19,8 @@ struct StructureParams {
 
 // Finds buildings and crowns before objects are sought. Reads the layers "shape" (StandingForm) and "top" (units above
 // the terrain) of cells, writes "structure" (Structure).
-//  - A wall is a line of cells with upright pixels; cells that touch it and what is fixed to it belong to it.
+//  - A wall is a line of cells with upright pixels; cells that touch it belong to it.
+//  - An overhang is what is high near a wall, seen from the street: a balcony, an awning. Below it is the street.
 //  - A roof is where cells on planes outnumber those of volumes around a cell.
 //  - A crown is where cells of volumes outnumber those on planes.
 //  - Walls and roofs that are connected are a building. What is smaller than a house, as a lorry, a kiosk or a shed, is

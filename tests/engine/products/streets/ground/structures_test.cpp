@@ -54,6 +54,22 @@ TEST(Structures, WallsRoofsCrownsAndTheRest) {
   EXPECT_EQ(at(found, 30, 20), Structure::none) << "nothing stands there";
 }
 
+TEST(Structures, BelowABalconyAndAroundAPostIsTheStreet) {
+  CellScene scene;
+  scene.add({5, 10, 60, 1}, StandingForm::upright, 9000);   // a wall
+  scene.add({40, 11, 6, 2}, StandingForm::inclined, 4000);  // a balcony
+  scene.add({30, 13, 1, 1}, StandingForm::upright, 6000);   // a post before the wall
+  scene.add({15, 11, 1, 2}, StandingForm::upright, 9000);   // a party wall that leaves it
+  const Image found = scene.structure(60, StreetView::street), from_above = scene.structure(60, StreetView::air);
+  EXPECT_EQ(at(found, 42, 10), Structure::wall);
+  EXPECT_EQ(at(found, 42, 11), Structure::overhang);
+  EXPECT_EQ(at(found, 42, 12), Structure::overhang);
+  EXPECT_EQ(at(found, 30, 13), Structure::none);
+  EXPECT_EQ(at(found, 15, 11), Structure::wall);
+  EXPECT_EQ(at(found, 42, 14), Structure::none);
+  EXPECT_EQ(at(from_above, 42, 11), Structure::wall) << "no wall was seen as such: what is near it stays with it";
+}
+
 TEST(Structures, AShedIsNoHouseFromTheAir) {
   CellScene scene;
   scene.add({10, 10, 10, 10}, StandingForm::inclined, 3000);
