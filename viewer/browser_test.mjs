@@ -49,7 +49,7 @@ async function checkView(page, data) {
     assert.deepEqual(got, [kind, String(id)], `a click on ${kind} ${id}`);
     assert.match(await page.locator('#unit h2').textContent(), new RegExp(String(id).replace(/[^\w]/g, '.')));
   }
-  if (data.planes.length > 0) {  // the middle of an outline may be a hole or outside of it: most of them are hit
+  if (data.planes.length > 2) {  // one may be behind another, or its middle a hole: most of them are hit
     await showOnly(page, 'planes');
     let hits = 0;
     for (const id of data.planes) hits += String((await clickInView(page, 'plane', id))?.[1]) === String(id);
