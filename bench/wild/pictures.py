@@ -139,9 +139,8 @@ def draw_roofs(folder, truth, points, figure):
 
 
 def draw_streets(folder, truth, points, figure):
-    counts = {id(o): o["points"] for o in truth["objects"]}
-    boxes = [o for o in truth["objects"] if counts[id(o)] > 0]
-    middle = np.median([o["box"]["centre"][:2] for o in boxes], axis=0) if boxes else np.array([points["x"].mean(), points["y"].mean()])
+    boxes = [o["box"] for o in truth["objects"] if o["points"] > 0]
+    middle = np.median([box["centre"][:2] for box in boxes], axis=0) if boxes else np.array([points["x"].mean(), points["y"].mean()])
     colours = np.array([matplotlib.colors.to_rgb(LABELS.get(int(v), OBJECT_COLOURS(int(v) % 10)) if v else "#f0f0f0")
                         for v in range(256)])
     order = np.argsort(points["z"])
@@ -149,8 +148,7 @@ def draw_streets(folder, truth, points, figure):
         axes = figure.add_subplot(1, 2, number)
         axes.scatter(points["x"][order], points["y"][order], s=(0.2 if half is None else 1.5) * max(1, 2e5 / len(order)),
                      c=colours[np.clip(points["label"][order].astype(int), 0, 255)], linewidths=0)
-        for thing in boxes:
-            box = thing["box"]
+        for box in boxes:
             turn = np.radians(box["heading_deg"])
             axis = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
             corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * np.array(box["size"][:2]) / 2

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/products/facades/walls/segment_grid.h"
 #include "engine/products/facades/walls/wall_groups.h"
 #include "kernels/core/portable_math.h"
 
@@ -17,26 +18,7 @@ constexpr double kCoplanarDeg = 2;  // greatest angle between parts of one wall
 constexpr double kLargePart = 1;    // m2; smaller pieces beside the wall's plane are relief
 constexpr double kInside = 0.5;     // share of the width of a plane that must be along the wall if it is its relief
 
-struct Extent {
-  double u0 = 0, u1 = 0, v0 = 0, v1 = 0, w0 = 0, w1 = 0;
-};
-
-// Returns the extent of the box of a segment in the axes, in metres.
-inline Extent extent_of(const Segment& s, const FacadeAxes& axes, double metres) {
-  const Vec3 middle = 0.5 * (s.min + s.max) - axes.origin, half = 0.5 * (s.max - s.min);
-  const auto along = [&](Vec3 axis, double& low, double& high) {
-    const double at = dot(middle, axis);
-    const double reach = std::abs(axis.x) * half.x + std::abs(axis.y) * half.y + std::abs(axis.z) * half.z;
-    low = (at - reach) * metres;
-    high = (at + reach) * metres;
-  };
-  Extent e;
-  along(axes.right, e.u0, e.u1);
-  along(axes.up, e.v0, e.v1);
-  const double w = dot(s.centroid - axes.origin, axes.out) * metres;
-  e.w0 = e.w1 = w;
-  return e;
-}
+using Extent = WallExtent;
 
 inline FacadeAxes axes_of(const Segment& s, Vec3 out) {
   FacadeAxes axes;

@@ -154,6 +154,17 @@ double edge_error_95(const Facade& facade) {
   return errors.empty() ? 0 : nth_smallest(errors, (errors.size() * 95 + 99) / 100 - 1);
 }
 
+namespace {
+
+// The reference of a drawing in front view: x runs from the origin of the facade, y is the height.
+std::vector<std::string> placed_reference(const Facade& facade, const FacadeDrawingParams& params, double metres) {
+  return facade_reference(facade, params,
+                          fmt::format("x = 0 at E {} N {}, y is the height", decimal(metres * facade.origin.x, 3),
+                                      decimal(metres * facade.origin.y, 3)));
+}
+
+}  // namespace
+
 Drawing facade_drawing(const Facade& facade, const FacadeDrawingParams& params) {
   Drawing drawing;
   drawing.scale = params.scale;
@@ -171,9 +182,7 @@ Drawing facade_drawing(const Facade& facade, const FacadeDrawingParams& params) 
   add_dimensions(facade, flat, plan, drawing);
   add_sheet({drawing.title,
              {fmt::format("Facade {}", facade.id), "Scale 1:" + decimal(params.scale, params.scale < 1 ? 2 : 0)},
-             facade_reference(facade, params,
-                              fmt::format("x = 0 at E {} N {}, y is the height", decimal(m * facade.origin.x, 3),
-                                          decimal(m * facade.origin.y, 3))),
+             placed_reference(facade, params, m),
              legend},
             drawing);
   return drawing;
@@ -197,9 +206,7 @@ Drawing row_drawing(std::span<const Facade> houses, const FacadeDrawingParams& p
   add_house_texts(houses, row, m, plan.min.y, drawing);
   add_sheet({drawing.title,
              {fmt::format("{} facades", houses.size()), "Scale 1:" + decimal(own.scale, own.scale < 1 ? 2 : 0)},
-             facade_reference(row, own,
-                              fmt::format("x = 0 at E {} N {}, y is the height", decimal(m * row.origin.x, 3),
-                                          decimal(m * row.origin.y, 3))),
+             placed_reference(row, own, m),
              legend},
             drawing);
   return drawing;
