@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opens reports in a browser and looks at them: node browser_test.mjs BROWSER PICTURES REPORT...
+// Opens reports in a browser and looks at them: node browser_test.mjs BROWSER PICTURES REPORT..., each a file or an address of
+// ilot view.
 // For each report: no error on the console, no request but of its own files, the view has a picture, a click on each kind of
 // unit in the view and in the plan shows that unit, the theme changes, and paper has pictures. Writes a picture of each
 // section, light and dark, and a PDF. Times are printed and not bounded: WebGL may be software here.
@@ -106,18 +107,31 @@ const dataOf = (page) => page.evaluate(async () => {
   };
 });
 
+// What is compared with another result, and with the truth, says something.
+async function checkComparisons(page) {
+  const text = (id) => page.evaluate((i) => document.getElementById(i)?.innerText ?? null, id);
+  const against = await text('against'), truth = await text('truth');
+  if (against !== null) assert.match(against, /roofs\.detail/, 'the setting that differs is named');
+  if (truth !== null) {
+    assert.ok(await page.locator('#truth table').count() > 1, 'tables against the truth');
+    assert.doesNotMatch(truth, /nan|undefined/i);
+  }
+  return [against, truth].filter((one) => one !== null).length;
+}
+
 async function checkReport(browser, path) {
-  const name = basename(dirname(resolve(path)));
+  const served = /^http:/.test(path), address = served ? path : pathToFileURL(resolve(path)).href;
+  const name = served ? 'served' : basename(dirname(resolve(path)));
   const context = await browser.newContext({ viewport: { width: 1200, height: 820 }, colorScheme: 'light' });
   const page = await context.newPage(), problems = [];
   page.setDefaultTimeout(180000);
   page.on('console', (message) => { if (['error', 'warning'].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text())) problems.push(message.text()); });
   page.on('pageerror', (error) => problems.push(error.stack));
-  page.on('request', (request) => { if (!/^(file|data|blob):/.test(request.url())) problems.push('asks for ' + request.url()); });
+  page.on('request', (request) => { if (!/^(file|data|blob):/.test(request.url()) && !(served && request.url().startsWith(new URL(address).origin))) problems.push('asks for ' + request.url()); });
   const began = Date.now();
-  await page.goto(pathToFileURL(resolve(path)).href);
+  await page.goto(address);
   await page.evaluate(() => window.ilot.started);
-  console.log(`${name}: first picture after ${Date.now() - began} ms, ${readFileSync(path).length} bytes`);
+  console.log(`${name}: first picture after ${Date.now() - began} ms${served ? '' : `, ${readFileSync(path).length} bytes`}`);
   const data = await dataOf(page);
   assert.ok(data.viewer, 'this ilot was built without its viewer');
   const sections = await page.locator('main > section').evaluateAll((list) => list.map((s) => s.id));
@@ -134,11 +148,13 @@ async function checkReport(browser, path) {
   await page.evaluate(() => { document.documentElement.dataset.theme = 'light'; document.dispatchEvent(new CustomEvent('ilot:theme')); });
   if (data.points > 0) await checkView(page, data);
   await checkPlan(page, data);
+  const comparisons = await checkComparisons(page);
+  if (comparisons > 0) console.log(`${name}: ${comparisons} comparisons`);
   await page.pdf({ path: join(pictures, `${name}.pdf`), preferCSSPageSize: true, printBackground: true });
   assert.equal(await page.locator('img.on-paper').count(), 0, 'after printing the page is as before');
   if (data.building !== undefined) {  // a link of its own
     const other = await context.newPage();
-    await other.goto(pathToFileURL(resolve(path)).href + '#building/' + encodeURIComponent(data.building));
+    await other.goto(address + '#building/' + encodeURIComponent(data.building));
     await other.evaluate(() => window.ilot.started);
     assert.equal(await other.locator('#unit h2').textContent(), 'Building ' + data.building);
   }

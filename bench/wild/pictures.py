@@ -47,7 +47,7 @@ def points_of(exe, folder, product):
     subprocess.run([exe, "convert", cloud if cloud.exists() else folder / "scene.laz", text, "--overwrite", "-q"], check=True)
     with open(text) as file:
         names = file.readline().strip().split(",")
-    wanted = [n for n in ("x", "y", "z", "label", "plane") if n in names]
+    wanted = [n for n in ("x", "y", "z", "label", "plane_id") if n in names]
     table = np.loadtxt(text, delimiter=",", skiprows=1, usecols=[names.index(n) for n in wanted])
     if len(table) > MOST_POINTS:
         table = table[np.random.default_rng(0).permutation(len(table))[:MOST_POINTS]]
@@ -160,7 +160,7 @@ def draw_streets(folder, truth, points, figure):
 
 def draw_planes(folder, truth, points, figure):
     colours = np.random.default_rng(1).random((4096, 3)) * 0.8
-    colour = np.where(points["plane"][:, None] > 0, colours[points["plane"].astype(int) % 4096], 0.85)
+    colour = np.where(points["plane_id"][:, None] > 0, colours[points["plane_id"].astype(int) % 4096], 0.85)
     for number, (across, up) in enumerate((("x", "y"), ("x", "z"), ("y", "z")), 1):
         axes = figure.add_subplot(1, 3, number)
         axes.scatter(points[across], points[up], s=0.2, c=colour, linewidths=0)

@@ -13,8 +13,11 @@ namespace {
 constexpr const char* kStyle = R"(<style>
 .ilot-evaluation{--ink:#1d2433;--soft:#5c667a;--line:#d5dae3;--ground:#fff;--good:29,111,165;--bad:200,85,40;
 color:var(--ink);background:var(--ground);font:14px/1.45 system-ui,sans-serif;padding:1rem 1.25rem;max-width:60rem}
-@media(prefers-color-scheme:dark){.ilot-evaluation{--ink:#e6e9f0;--soft:#9aa5b8;--line:#39414f;--ground:#151a23;
---good:96,173,224;--bad:235,137,92}}
+@media(prefers-color-scheme:dark){:root:not([data-theme="light"]) .ilot-evaluation{--ink:#e6e9f0;--soft:#9aa5b8;
+--line:#39414f;--ground:#151a23;--good:96,173,224;--bad:235,137,92}}
+:root[data-theme="dark"] .ilot-evaluation{--ink:#e6e9f0;--soft:#9aa5b8;--line:#39414f;--ground:#12161c;
+--good:96,173,224;--bad:235,137,92}
+main>.ilot-evaluation{padding:0}
 .ilot-evaluation h2{font-size:1.15rem;margin:0 0 .2rem}.ilot-evaluation h3{font-size:1rem;margin:1.4rem 0 .4rem}
 .ilot-evaluation p{margin:.2rem 0;color:var(--soft)}
 .ilot-evaluation table{border-collapse:collapse;font-variant-numeric:tabular-nums}
@@ -156,6 +159,32 @@ std::string openings_html(const OpeningResult& o) {
                                    {"ring distance, m", metres_html(o.ring_distance_m)}});
 }
 
+std::string drawn_edges_html(const DrawnEdges& d) {
+  std::vector<std::pair<std::string, std::string>> figures{{"true edges, m", fmt::format("{:.1f}", d.true_m)}};
+  for (std::size_t i = 0; i < kEdgeLimitsM.size(); ++i)
+    figures.emplace_back(fmt::format("drawn within {:.0f} cm", 100 * kEdgeLimitsM[i]), percent_html(d.share(i)));
+  std::string html = figures_html("Edges of openings, missed ones counted as wrong", figures);
+  for (const StatedErrors& s : d.stated)
+    if (s.edges > 0)
+      html += fmt::format(
+          "<p>{} of {} {} edges are within their stated 95&nbsp;% error; median stated {} m, true {} m</p>\n", s.within,
+          s.edges, s.status == DrawnStatus::seen ? "seen" : "completed", metres_html(s.median_stated_m),
+          metres_html(s.median_true_m));
+  return html;
+}
+
+// What is stated of objects beside what is true.
+std::string reliability_html(const Reliability& r) {
+  std::string html =
+      "<h3>Probabilities of classes</h3>\n<div class=\"scroll\"><table><tr><th>stated "
+      "probability</th><th>objects</th><th>right</th><th></th></tr>\n";
+  for (const ReliabilityBin& bin : r.bins)
+    if (bin.count > 0)
+      html += fmt::format("<tr><td>{:.2f}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", bin.mean_probability,
+                          bin.count, percent_html(bin.right), bar(bin.right));
+  return html + fmt::format("</table></div>\n<p>Calibration error {:.3f}</p>\n", r.calibration_error);
+}
+
 std::string objects_html(const ObjectResult& o) {
   return figures_html("Objects", {{"true", text_of(o.truth)},
                                   {"found", text_of(o.found)},
@@ -177,15 +206,18 @@ std::string boundary_html(const Evaluation& e) {
 }  // namespace
 
 std::string evaluation_html(const Evaluation& e) {
-  std::string html = "<section class=\"ilot-evaluation\">\n" + std::string(kStyle) + "<h2>Against the truth</h2>\n";
+  std::string html =
+      "<section id=\"truth\" class=\"ilot-evaluation\">\n" + std::string(kStyle) + "<h2>Against the truth</h2>\n";
   html += fmt::format("<p>{} against {}, {} points</p>\n", escaped_markup(e.result), escaped_markup(e.truth), e.points);
   if (e.confusion) html += confusion_html(*e.confusion, "Classes, points " + words_for(e.class_source));
   if (e.planes) html += planes_html(*e.planes);
   if (e.boundary) html += boundary_html(e);
   if (e.control_points) html += control_points_html(*e.control_points);
   if (e.openings) html += openings_html(*e.openings);
+  if (e.drawn_edges) html += drawn_edges_html(*e.drawn_edges);
   if (e.roofs) html += roofs_html(*e.roofs);
   if (e.objects) html += objects_html(*e.objects);
+  if (e.probabilities) html += reliability_html(e.probabilities->all);
   for (const std::string& note : e.notes) html += "<p>" + escaped_markup(note) + "</p>\n";
   return html + "</section>\n";
 }

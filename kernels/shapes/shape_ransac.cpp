@@ -34,6 +34,10 @@ constexpr double kSimpler = 0.97;  // share of the points for which a simpler ki
 constexpr double kExplained = 2.0 / 3;  // share on earlier shapes that makes a fringe
 // Choice: saves time; a better shape that begins with fewer points is found later or not at all.
 constexpr double kWorthRefining = 0.5;  // share of the best count
+// Choice: candidates are refined in the order of their counts, so that large shapes come first; small ones among dense
+// plants are lost. In hedges thousands of candidates have many points in no connected component, and each costs a pass
+// over the points: a cell took nine minutes without this limit.
+constexpr std::uint64_t kMostFailures = 1024;  // refinements of one search that may end without a shape
 
 // A shape and the positions of its points among the remaining points.
 struct Part {
@@ -55,7 +59,7 @@ class Search {
   }
 
   ShapeSegments run() {
-    while (all_.left >= params_.min_points) {
+    while (all_.left >= params_.min_points && failures_ < kMostFailures) {
       const std::optional<std::size_t> best = best_kind();
       const double least = params_.min_points;
       const double size = best ? std::max(least, static_cast<double>(pools_[*best].top().bound) * share_) : least;
@@ -238,7 +242,10 @@ class Search {
       if (pools_[k].empty() || pools_[k].top().bound < enough) continue;
       ShapePool::Candidate c = pools_[k].pop();
       Part part = refine(c.shape);
-      if (part.members.size() < params_.min_points) continue;  // the candidate had a higher bound than it has points
+      if (part.members.size() < params_.min_points) {  // the candidate had a higher bound than it has points
+        ++failures_;
+        continue;
+      }
       c = {part.shape, bound_shape(sample(), part.shape, score_params()), c.draw, 0};
       pools_[k].push(std::move(c));  // other parts of the same shape may remain
       if (kSimpler * static_cast<double>(part.members.size()) > static_cast<double>(chosen.members.size()))
@@ -310,7 +317,7 @@ class Search {
   double max_radius_ = 0;
   Rng rng_{0};
   std::array<ShapePool, kShapeKinds> pools_;
-  std::uint64_t draw_count_ = 0;
+  std::uint64_t draw_count_ = 0, failures_ = 0;
   double needed_hits_ = 0;
   double expected_hits_per_point_ = 0;  // sum over draws of the chance to hit a shape, per point of that shape
   ShapeSegments result_;

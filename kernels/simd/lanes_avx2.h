@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight float lanes in one AVX register. Only isa_avx2.cpp, compiled with -mavx2, includes this.
+// Eight float lanes in one AVX register. Only the bodies of body.cpp.in, compiled with -mavx2, include this.
 #pragma once
 #include <immintrin.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight float lanes with mask registers, sixteen where a kernel asks for the widest. Only isa_avx512.cpp, compiled with
-// -mavx512f -mavx512vl -mavx512dq -mavx512bw, includes this.
+// Eight float lanes with mask registers, sixteen where a kernel asks for the widest. Only the bodies of body.cpp.in,
+// compiled with -mavx512f -mavx512vl -mavx512dq -mavx512bw, include this.
 #pragma once
 #include <immintrin.h>
 

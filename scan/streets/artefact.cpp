@@ -42,8 +42,17 @@ SurfaceId surface(Material material) {
 }  // namespace
 
 const char* name_of(ArtefactClass artefact_class) {
-  constexpr std::array kNames{"car", "lamppost", "pedestrian", "other"};
-  return kNames[static_cast<std::size_t>(artefact_class)];
+  switch (artefact_class) {  // without a default: the compiler names what a new class lacks
+    case ArtefactClass::car:
+      return "car";
+    case ArtefactClass::lamppost:
+      return "lamppost";
+    case ArtefactClass::pedestrian:
+      return "pedestrian";
+    case ArtefactClass::other:
+      return "other";
+  }
+  return "other";
 }
 
 void Artefact::box(Vec3 centre, Vec3 size, Material material) {

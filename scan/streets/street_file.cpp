@@ -86,13 +86,6 @@ void write_trajectory(TruthWriter& truth, const StreetScan& scan, const Street& 
                           scan.drive.step_deg, scan.drive.step_deg});
 }
 
-std::map<int, std::string> class_names() {
-  std::map<int, std::string> names;
-  for (int value = 1; value <= static_cast<int>(StreetClass::roof); ++value)
-    names[value] = name_of(static_cast<StreetClass>(value));
-  return names;
-}
-
 std::map<int, std::string> material_names(const StreetModel& model) {
   std::map<int, std::string> names{{1 + static_cast<int>(Material::foliage), name_of(Material::foliage)}};
   for (const SurfaceLabel& label : model.scene.surfaces)
@@ -111,7 +104,7 @@ class StreetFile {
         tally_{std::vector<std::uint64_t>(stage.model.planes.size() + 1),
                std::vector<std::uint64_t>(stage.objects.size() + 1)} {
     truth_.noise({noise});
-    truth_.classes(class_names());
+    truth_.classes(street_class_names());
     truth_.materials(material_names(stage.model));
   }
 

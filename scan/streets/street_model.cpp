@@ -81,13 +81,30 @@ void add_object(StreetModel& model, const StreetObject& object) {
 }  // namespace
 
 StreetClass class_of(ArtefactClass artefact_class) {
-  constexpr std::array kClasses{StreetClass::car, StreetClass::lamppost, StreetClass::pedestrian, StreetClass::other};
-  return kClasses[static_cast<std::size_t>(artefact_class)];
+  switch (artefact_class) {
+    case ArtefactClass::car:
+      return StreetClass::car;
+    case ArtefactClass::lamppost:
+      return StreetClass::lamppost;
+    case ArtefactClass::pedestrian:
+      return StreetClass::pedestrian;
+    case ArtefactClass::other:
+      return StreetClass::other;
+  }
+  return StreetClass::other;
 }
 
 const char* name_of(StreetClass street_class) {
   constexpr std::array kNames{"", "ground", "facade", "car", "lamppost", "pedestrian", "other", "vegetation", "roof"};
+  static_assert(kNames.size() == kStreetClasses);
   return kNames[static_cast<std::size_t>(street_class)];
+}
+
+std::map<int, std::string> street_class_names() {
+  std::map<int, std::string> names;
+  for (std::size_t value = 1; value < kStreetClasses; ++value)
+    names[static_cast<int>(value)] = name_of(static_cast<StreetClass>(value));
+  return names;
 }
 
 std::uint8_t las_class(StreetClass street_class) {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "scan/optics/part_scene.h"
@@ -20,8 +23,10 @@ enum class StreetClass : std::uint8_t {
   vegetation = 7,
   roof = 8
 };
+constexpr std::size_t kStreetClasses = static_cast<std::size_t>(StreetClass::roof) + 1;  // the last one, and none
 StreetClass class_of(ArtefactClass artefact_class);
 const char* name_of(StreetClass street_class);
+std::map<int, std::string> street_class_names();  // all of them, by value, as truth files list them
 
 // Returns the ASPRS class of points: 2 ground, 5 vegetation, 6 building, 1 for all else.
 std::uint8_t las_class(StreetClass street_class);

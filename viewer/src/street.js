@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Objects on the street as boxes of their extents.
 import * as THREE from 'three';
-import { ofLabel } from './colours.js';
+import { ofLabel, otherClass } from './colours.js';
 
 export class Street {
   constructor(street, middle) {
@@ -18,7 +18,7 @@ export class Street {
       turn.setFromAxisAngle(up, (o[9] / 1800) * Math.PI);
       matrix.compose(at, turn, size);
       this.mesh.setMatrixAt(i, matrix);
-      this.mesh.setColorAt(i, new THREE.Color(...ofLabel[o[1]].map((c) => c / 255)));
+      this.mesh.setColorAt(i, new THREE.Color(...(ofLabel[o[1]] ?? otherClass).map((c) => c / 255)));
       this.boxes.set(String(o[0]), new THREE.Box3().setFromCenterAndSize(at, new THREE.Vector3(size.x, size.x, size.z)));
       const line = new THREE.EdgesGeometry(box).applyMatrix4(matrix).attributes.position.array;
       for (const v of line) edges.push(v);

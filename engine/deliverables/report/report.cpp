@@ -101,7 +101,7 @@ struct ReportParts {
   SampledPoints sample;
   StreetPlan street;
   FacadePages facades;
-  std::string against;  // HTML; empty without another result
+  std::string against, truth;  // HTML; empty without another result, without a truth
 };
 
 ReportParts gather(const std::filesystem::path& folder) {
@@ -129,6 +129,7 @@ void put_sections(const ReportParts& p, bool viewer, const Put& put) {
   std::vector<std::pair<std::string, std::string>> places{{"made", "Made"}, {"view", "3D"}, {"plan", "Plan"}};
   const bool roofs = p.result.makes("roofs"), facades = p.result.makes("facades"), streets = p.result.makes("streets"),
              planes = p.result.has("planes.csv");
+  if (!p.truth.empty()) places.emplace_back("truth", "Truth");
   if (!p.against.empty()) places.emplace_back("against", "Against");
   if (roofs) places.emplace_back("roofs", "Roofs");
   if (facades) places.emplace_back("facades", "Facades");
@@ -144,6 +145,7 @@ void put_sections(const ReportParts& p, bool viewer, const Put& put) {
   put(left_out_section(p.result));
   put(viewer ? kView : kNoView);
   put(kPlan);
+  put(p.truth);
   put(p.against);
   if (roofs) put(roofs_section(p.rows, p.drawn, p.sample.of_unit, p.frame));
   if (facades) put(p.facades.html);
@@ -171,9 +173,11 @@ void remove_report(const std::filesystem::path& folder) {
   remove_building_tiles(folder);
 }
 
-ReportSummary write_report(const std::filesystem::path& folder, const std::filesystem::path& against) {
+ReportSummary write_report(const std::filesystem::path& folder, const ReportAdditions& additions) {
   ReportParts parts = gather(folder);
-  if (!against.empty()) parts.against = against_section(parts.result, parts.rows, parts.frame, against);
+  parts.truth = additions.truth;
+  if (!additions.against.empty())
+    parts.against = against_section(parts.result, parts.rows, parts.frame, additions.against);
   const bool viewer = !viewer_script().empty();
   ReportSummary summary{0, viewer};
   WholeFileWriter file(folder / kReportFile);

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 namespace ilot {
 
@@ -11,11 +12,16 @@ struct ReportSummary {
   bool viewer = true;       // false: ilot was built without npm, so the page has no view in 3D
 };
 
+// What a page can have beside the result itself.
+struct ReportAdditions {
+  std::filesystem::path against;  // folder of another result: also what differs from that one; empty: none
+  std::string truth;              // HTML of a <section id="truth">: the result against its truth; empty: none
+};
+
 // Reads the result of a finished run in `folder` and writes folder/report.html, complete or not at all, and for many
 // buildings report-tiles/ beside it. The same result gives the same bytes, except for seconds, threads and memory.
 // Memory: a sample of the points, a row for each building and 24 bytes a plane. Throws Error.
-// With `against`, the folder of another result, it also has what differs from that one.
-ReportSummary write_report(const std::filesystem::path& folder, const std::filesystem::path& against = {});
+ReportSummary write_report(const std::filesystem::path& folder, const ReportAdditions& additions = {});
 
 // Removes the report of an earlier result.
 void remove_report(const std::filesystem::path& folder);

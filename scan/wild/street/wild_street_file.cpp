@@ -74,16 +74,9 @@ TrueTree tree_in_scene(const WildStreet& street, const WildObject& tree, std::ui
           known(hidden)};
 }
 
-std::map<int, std::string> class_names() {
-  std::map<int, std::string> names;
-  for (int value = 1; value <= static_cast<int>(StreetClass::roof); ++value)
-    names[value] = name_of(static_cast<StreetClass>(value));
-  return names;
-}
-
 void write_names(TruthWriter& truth, const WildStreetScan& scan) {
   truth.noise({scan.scanner.beam.noise, 0, scan.scanner.beam.divergence_mrad, 0});
-  truth.classes(class_names());
+  truth.classes(street_class_names());
   std::map<int, std::string> materials{{1 + static_cast<int>(Material::foliage), name_of(Material::foliage)}};
   for (const SurfaceLabel& label : scan.model.street.scene.surfaces)
     materials.emplace(1 + static_cast<int>(label.material), name_of(label.material));
