@@ -197,8 +197,8 @@ def tags_of(frame, box, opening, truth, rays):
     tags = []
     if len(opening["ring"]) > 4:
         tags.append("arch")
-    own = truth["elements"][opening["element"] - 1]
-    depth = own.get("depth_m")
+    number = opening["element"] - 1
+    depth = truth["elements"][number].get("depth_m") if number < len(truth["elements"]) else None
     if depth is not None and abs(depth) < 0.06:
         tags.append("flush")
     if rays["near"] + rays["behind"] < 0.3 * rays["expected"]:

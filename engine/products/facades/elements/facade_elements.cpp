@@ -106,7 +106,7 @@ FacadeElement element_of(const FacadeSite& site, const ElementCandidate& candida
   }
   for (const Side side : sides) {
     const LocatedEdge& edge = r.side(side);
-    e.edges.push_back({edge.status, edge.points, edge.rms, edge.error, edge.moved});
+    e.edges.push_back({edge.status, edge.points, edge.rms, std::max(edge.error, edge.form), edge.moved});
   }
   const auto hidden = static_cast<std::size_t>(std::count_if(
       r.sides.begin(), r.sides.end(), [](const LocatedEdge& edge) { return edge.status == DrawnStatus::occluded; }));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "kernels/core/portable_math.h"
@@ -34,9 +35,25 @@ constexpr double kBesideArc = 0.03;  // metres beside the first arc in which poi
 constexpr std::size_t kLeastSoffit = 60;
 constexpr std::uint64_t kMostArchSamples = 1 << 17, kMostSoffit = 1 << 16;  // more points do not improve the result
 
+// Derived: 95 % of normal errors are within two standard deviations.
+constexpr double kBoundOfArc = 2;
+// Choice: half of a beam of 4 mm, as terrestrial scanners have at 10 m.
+constexpr double kBeamRadius = 0.002;  // metres
+
 struct Slice {
   std::vector<double> below, above;
 };
+
+// Where slices or sectors end, and how exactly each of them shows it.
+struct Tops {
+  std::vector<PlanePoint> at;
+  double half_gap = 0;  // metres, the mean
+};
+
+void add_top(PlanePoint at, double half_gap, Tops& tops) {
+  tops.at.push_back(at);
+  tops.half_gap += (half_gap - tops.half_gap) / static_cast<double>(tops.at.size());
+}
 
 // Whether a ray meets the wall, the back of a joint between its stones, or a surround that stands out of the wall and
 // continues where the soffit ends. Such a ray does not go through. An element that stands out farther hides both the
@@ -69,7 +86,7 @@ bool together(const CircleFit& a, const CircleFit& b, const Box2& opening) {
   return near(kEnd) && near(0.5) && near(1 - kEnd);
 }
 
-std::vector<PlanePoint> tops_of_slices(const RaySamples& samples, const FoundRectangle& opening, const Box2& search) {
+Tops tops_of_slices(const RaySamples& samples, const FoundRectangle& opening, const Box2& search) {
   const FacadeSite& site = samples.site();
   std::vector<Slice> slices(kSlices);
   const double margin = kJamb * search.width(), width = (search.width() - 2 * margin) / kSlices;
@@ -83,18 +100,18 @@ std::vector<PlanePoint> tops_of_slices(const RaySamples& samples, const FoundRec
     if (is_below(samples, ray)) slices[static_cast<std::size_t>(at)].below.push_back(p.v);
     if (is_above(samples, ray)) slices[static_cast<std::size_t>(at)].above.push_back(p.v);
   }
-  std::vector<PlanePoint> tops;
+  Tops tops;
   for (std::size_t s = 0; s < kSlices; ++s) {
+    const double u = opening.at(Side::left) + margin + (static_cast<double>(s) + 0.5) * width;
     const EdgeSplit split = split_edge(slices[s].below, slices[s].above);
     const double v = samples.oblique() ? split.at : split.at + split.half_gap - site.step / 2;
-    if (split.found && (!samples.oblique() || split.half_gap < kMostArchGap))
-      tops.push_back({opening.at(Side::left) + margin + (static_cast<double>(s) + 0.5) * width, v});
+    if (split.found && (!samples.oblique() || split.half_gap < kMostArchGap)) add_top({u, v}, split.half_gap, tops);
   }
   return tops;
 }
 
 // The tops across the arc, sector by sector: slices are inclined to the arc near the jambs.
-std::vector<PlanePoint> tops_of_sectors(const RaySamples& samples, const Box2& search, const CircleFit& first) {
+Tops tops_of_sectors(const RaySamples& samples, const Box2& search, const CircleFit& first) {
   // Choice: the first arc may be off by two gaps of 4 cm.
   constexpr double kBeside = 0.08;  // metres
   const FacadeSite& site = samples.site();
@@ -112,20 +129,21 @@ std::vector<PlanePoint> tops_of_sectors(const RaySamples& samples, const Box2& s
     if (is_below(samples, ray)) sectors[static_cast<std::size_t>(at)].below.push_back(r);
     if (is_above(samples, ray)) sectors[static_cast<std::size_t>(at)].above.push_back(r);
   }
-  std::vector<PlanePoint> tops;
+  Tops tops;
   for (std::size_t s = 0; s < kSlices; ++s) {
     const EdgeSplit split = split_edge(sectors[s].below, sectors[s].above);
     if (!split.found || (samples.oblique() && split.half_gap > kMostArchGap)) continue;
     const double r = samples.oblique() ? split.at : split.at + split.half_gap - site.step / 2;
     const double angle = from + width * (static_cast<double>(s) + 0.5);
-    tops.push_back({first.centre.x + r * cos_degrees(angle), first.centre.y + r * cos_degrees(angle - 90)});
+    add_top({first.centre.x + r * cos_degrees(angle), first.centre.y + r * cos_degrees(angle - 90)}, split.half_gap,
+            tops);
   }
   return tops;
 }
 
-// Fits the circle to the points of the soffit beside a first arc. Returns the first arc where there are too few points.
-CircleFit refined(const RaySamples& samples, const FoundRectangle& opening, const Box2& search,
-                  const CircleFit& first) {
+// Fits the circle to the points of the soffit beside a first arc; no result where there are too few points.
+std::optional<CircleFit> refined(const RaySamples& samples, const FoundRectangle& opening, const Box2& search,
+                                 const CircleFit& first) {
   const FacadeSite& site = samples.site();
   const double front = -std::max(0.015, 2 * site.epsilon), back = opening.depth + 0.03;
   const auto off = [](const CircleFit& fit, const PlanePoint& p) {
@@ -149,53 +167,69 @@ CircleFit refined(const RaySamples& samples, const FoundRectangle& opening, cons
     std::vector<PlanePoint> kept;
     std::vector<double> offs;
     for (const PlanePoint& p : soffit) offs.push_back(off(fit, p));
-    if (offs.size() < kLeastSoffit) return first;
+    if (offs.size() < kLeastSoffit) return std::nullopt;
     const double middle = round == 0 ? upper_median(std::vector(offs)) : 0;
     for (std::size_t i = 0; i < soffit.size(); ++i)
       if (std::abs(offs[i] - middle) < beside) kept.push_back(soffit[i]);
-    if (kept.size() < kLeastSoffit) return first;
+    if (kept.size() < kLeastSoffit) return std::nullopt;
     const CircleFit next = fit_circle(kept);
-    if (!next.found || !together(next, first, search)) return first;
+    if (!next.found || !together(next, first, search)) return std::nullopt;
     fit = next;
     beside = std::max(beside / 2, 4 * site.noise);
   }
   return fit;
 }
 
-}  // namespace
-
-std::optional<TopArc> find_arched_top(const RaySamples& samples, const FoundRectangle& opening, double most_misfit) {
+// The circle through the ends of slices, where they rise from both jambs to the middle.
+std::optional<CircleFit> arch_of(const FoundRectangle& opening, const Tops& tops, double most_misfit) {
   const double width = opening.at(Side::right) - opening.at(Side::left);
-  const Box2 search{opening.at(Side::left), opening.at(Side::right),
-                    std::max(opening.at(Side::bottom) + 0.1, opening.at(Side::top) - kHighest * width),
-                    opening.at(Side::top) + kAbove};
-  const std::vector<PlanePoint> tops = tops_of_slices(samples, opening, search);
-  if (tops.size() < kLeastSlices) return std::nullopt;
   double low = INFINITY, high = -INFINITY, mean = 0, level = 0;
-  for (const PlanePoint& p : tops) {
+  for (const PlanePoint& p : tops.at) {
     low = std::min(low, p.y), high = std::max(high, p.y);
-    mean += p.y / static_cast<double>(tops.size());
+    mean += p.y / static_cast<double>(tops.at.size());
   }
-  for (const PlanePoint& p : tops) level += (p.y - mean) * (p.y - mean) / static_cast<double>(tops.size());
+  for (const PlanePoint& p : tops.at) level += (p.y - mean) * (p.y - mean) / static_cast<double>(tops.at.size());
   if (high - low < kLeastRise) return std::nullopt;
-  CircleFit fit = fit_circle(tops);
+  const CircleFit fit = fit_circle(tops.at);
   if (!fit.found || fit.rms > most_misfit * std::sqrt(level) || fit.centre.y > high || fit.radius < width / 2 - 0.05)
     return std::nullopt;
   if (std::abs(fit.centre.x - (opening.at(Side::left) + width / 2)) > kOffCentre * width) return std::nullopt;
+  return fit;
+}
+
+}  // namespace
+
+FoundTop find_top(const RaySamples& samples, const FoundRectangle& opening, double most_misfit) {
+  const double width = opening.at(Side::right) - opening.at(Side::left), noise = samples.site().noise;
+  const Box2 search{opening.at(Side::left), opening.at(Side::right),
+                    std::max(opening.at(Side::bottom) + 0.1, opening.at(Side::top) - kHighest * width),
+                    opening.at(Side::top) + kAbove};
+  Tops tops = tops_of_slices(samples, opening, search);
+  if (tops.at.size() < kLeastSlices) return {};
+  FoundTop found;
+  double squares = 0;
+  for (const PlanePoint& p : tops.at) squares += (p.y - opening.at(Side::top)) * (p.y - opening.at(Side::top));
+  found.off = kBoundOfArc * std::sqrt(squares / static_cast<double>(tops.at.size()));
+  const std::optional<CircleFit> arch = arch_of(opening, tops, most_misfit);
+  if (!arch) return found;
+  CircleFit fit = *arch;
   for (int round = 0; round < 2; ++round) {
-    const std::vector<PlanePoint> across = tops_of_sectors(samples, search, fit);
-    const CircleFit next = across.size() < kLeastSlices ? CircleFit{} : fit_circle(across);
-    if (next.found && together(next, fit, search)) fit = next;
+    Tops across = tops_of_sectors(samples, search, fit);
+    const CircleFit next = across.at.size() < kLeastSlices ? CircleFit{} : fit_circle(across.at);
+    if (next.found && together(next, fit, search)) fit = next, tops = std::move(across);
   }
-  const CircleFit first = fit;
-  fit = refined(samples, opening, search, first);
+  const std::optional<CircleFit> soffit = refined(samples, opening, search, fit);
+  if (soffit) fit = *soffit;
   TopArc arc;
   arc.centre = {fit.centre.x, fit.centre.y};
   arc.radius = fit.radius;
   arc.rms = fit.rms;
-  arc.points = tops.size();
-  arc.error = samples.site().noise / 2 + fit.rms / std::sqrt(static_cast<double>(kLeastSlices));
-  return arc;
+  arc.points = tops.at.size();
+  arc.error = noise / 2 + fit.rms / std::sqrt(static_cast<double>(kLeastSlices));
+  // Arches are no exact circles: what the ends of the slices are off by belongs to the error of each place of the arc.
+  arc.off = kBoundOfArc * (fit.rms + noise) + (soffit ? 0 : tops.half_gap + kBeamRadius);
+  found.arc = arc;
+  return found;
 }
 
 }  // namespace ilot

@@ -263,13 +263,18 @@ std::optional<FoundRectangle> opening_of(const RaySamples& samples, const WallCe
       opening.at(Side::top) - opening.at(Side::bottom) < params.least_size)
     return std::nullopt;
   set_leaning_sides(samples, opening);
-  if (opening.lean_of(Side::top) == 0) opening.arc = find_arched_top(samples, opening, params.arch_misfit);
+  if (opening.lean_of(Side::top) != 0) return opening;
+  const FoundTop top = find_top(samples, opening, params.arch_misfit);
+  LocatedEdge& crown = opening.side(Side::top);
+  opening.arc = top.arc;
   if (opening.arc) {
-    LocatedEdge& crown = opening.side(Side::top);
     crown = {opening.arc->centre.v + opening.arc->radius, opening.arc->error};
     crown.points = opening.arc->points;
     crown.rms = opening.arc->rms;
     crown.inner = crown.at;
+    crown.form = opening.arc->off;
+  } else {
+    crown.form = top.off;
   }
   return opening;
 }

@@ -26,7 +26,8 @@ struct OpeningParams {
 // A circle that is the upper end of an opening.
 struct TopArc {
   Place2 centre;
-  double radius = 0, rms = 0, error = 0;  // metres
+  double radius = 0, rms = 0, error = 0;  // metres; the error is that of the circle as a whole
+  double off = 0;                         // metres; the true edge is within this of the circle
   std::uint64_t points = 0;
 };
 

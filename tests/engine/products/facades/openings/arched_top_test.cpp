@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/support/facade_sites.h"
 
 namespace ilot {
@@ -89,6 +92,31 @@ TEST(ArchedTop, AFlatArchBelowASurroundAndBesideAJoint) {
   ASSERT_TRUE(openings[0].arc.has_value());
   EXPECT_NEAR(openings[0].arc->radius, radius, 0.05);
   EXPECT_NEAR(openings[0].arc->centre.v + openings[0].arc->radius, springing + rise, 0.004);
+}
+
+// The error of an arc covers the distance of its circle from the true head everywhere; a pointed head that is drawn
+// level or round says by its error how far that is off.
+TEST(ArchedTop, APointedHeadStatesWhatItsDrawingIsOffBy) {
+  const double springing = 2.2, half = (kArchRight - kArchLeft) / 2, radius = 2 * half;
+  const FacadeSite site = test::scan_wall_open_where([=](double u, double v) {
+    const double x = std::abs(u - kMiddle) + half, y = v - springing;  // from the centre at the other springing
+    return u > kArchLeft && u < kArchRight && v > kFoot && (y < 0 || x * x + y * y < radius * radius);
+  });
+  const auto openings = find_openings(RaySamples(site));
+  ASSERT_EQ(openings.size(), 1u);
+  const FoundRectangle& found = openings[0];
+  double off = 0;  // mean distance along v, which is more than that across the head
+  constexpr int kPlaces = 50;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double u = kMiddle + (2 * (i + 0.5) / kPlaces - 1) * 0.8 * half, x = std::abs(u - kMiddle) + half;
+    double v = found.at(Side::top);
+    if (found.arc)
+      v = found.arc->centre.v +
+          std::sqrt(found.arc->radius * found.arc->radius - (u - found.arc->centre.u) * (u - found.arc->centre.u));
+    off += std::abs(v - springing - std::sqrt(radius * radius - x * x)) / kPlaces;
+  }
+  EXPECT_GT(off, 0.02);
+  EXPECT_LT(off, std::max(found.error(Side::top), found.side(Side::top).form));
 }
 
 }  // namespace
