@@ -110,3 +110,12 @@ def drawn_of(path):
         if d.get("elements"):
             drawn[f"{d['name']} (happened)"] = d["happened"] / d["elements"]
     return drawn
+
+
+def scanner_of(truth_file):
+    """What a street was scanned from; clouds that are cut low stand apart."""
+    drawn = drawn_of(truth_file)
+    if drawn["street.platform"] == "air":
+        return "air"
+    cut = drawn["street.cut_height"] if drawn["street.cut"] == "cut" else 100
+    return "cut below 2.4 m" if cut < 2.4 else drawn["street.platform"]

@@ -47,14 +47,6 @@ def points_of(exe, cloud):
         return np.loadtxt(text, delimiter=",", skiprows=1, usecols=[names.index(n) for n in wanted])
 
 
-def scanner_of(truth_file):
-    drawn = figures.drawn_of(truth_file)
-    if drawn["street.platform"] == "air":
-        return "air"
-    cut = drawn["street.cut_height"] if drawn["street.cut"] == "cut" else 100
-    return "cut below 2.4 m" if cut < 2.4 else drawn["street.platform"]
-
-
 def pairs_of(element, found):
     """Points in common of each true and each found object, and points of each."""
     both = collections.Counter(zip(element.tolist(), found.tolist()))
@@ -98,7 +90,7 @@ def losses_of(folder, truth_file, exe):
         own = points[points[:, 1] == o["id"]]
         cause = "found" if found else cause_of(o["base"][2], own, common, of_found, of_true, both)
         rows.append((o["class"], o["variant"], n, cause, o["id"]))
-    return scanner_of(truth_file), rows
+    return figures.scanner_of(truth_file), rows
 
 
 def main():

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Checks how bench/wild sums up over seeds, and that it keeps what is finished and guards seeds for judging."""
+import collections
 import csv
 import hashlib
 import importlib.machinery
@@ -15,6 +16,7 @@ import unittest
 WILD = pathlib.Path(__file__).resolve().parents[2] / "bench" / "wild"
 sys.path.insert(0, str(WILD))
 sys.dont_write_bytecode = True
+import calibration  # noqa: E402
 import figures  # noqa: E402
 import losses  # noqa: E402
 
@@ -83,6 +85,21 @@ class Figures(unittest.TestCase):
         for product in figures.SCENES:
             self.assertIn(figures.MAIN[product], figures.DIRECTIONS)
             figures.of(product, {}, record)  # a truth that a product cannot be judged by is no fault
+
+
+class Calibration(unittest.TestCase):
+    def test_bins_of_scenes_are_added_before_they_are_judged(self):
+        empty = {"count": 0, "mean_probability": None, "right": None}
+
+        def scene(count, stated, right):
+            return [empty] * 8 + [{"count": count, "mean_probability": stated, "right": right}, empty]
+
+        pool = collections.defaultdict(lambda: [[0, 0.0, 0.0] for _ in range(calibration.BINS)])
+        calibration.pooled(pool, "all", scene(10, 0.85, 1.0))
+        self.assertAlmostEqual(calibration.error_of(pool["all"]), 0.15)
+        calibration.pooled(pool, "all", scene(30, 0.85, 0.8))  # 34 of 40 are right: what is stated holds
+        self.assertAlmostEqual(calibration.error_of(pool["all"]), 0)
+        self.assertEqual(calibration.row_of("all", pool["all"]), "| all | 40 | 0.000 | 0.85 | 0.85 | 0.00 | - |")
 
 
 class Guard(unittest.TestCase):
