@@ -29,6 +29,8 @@ class Manners(CliCase):
         self.refuse(["scan", "distrct", "-o", o], "did you mean 'district'?")
         self.refuse(["completion", "bsh"], "did you mean 'bash'?")
         self.refuse(["completion"], "no SHELL given")
+        self.refuse(["run", c, "-o", o, "--memory"], "--memory: a value must follow (ilot run --help)")
+        self.refuse(["draw", c, "-o", o], "broken JSON: parse error at line 1", code=1)
 
     def test_a_run_ends_with_what_to_open(self):
         done = ilot("run", self.cloud, "-o", self.out, "--no-clouds")

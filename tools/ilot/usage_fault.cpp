@@ -59,8 +59,11 @@ std::vector<std::string> option_names(const CLI::App& command) {
 std::string usage_fault(const CLI::App& app, const CLI::ParseError& fault) {
   if (dynamic_cast<const CLI::ExtrasError*>(&fault) != nullptr) return unknown_words(app, fault);
   const auto called = app.get_subcommands();
-  return std::string(fault.what()) +
-         (called.empty() ? " (ilot --help)" : " (ilot " + called.front()->get_name() + " --help)");
+  const std::string help = called.empty() ? " (ilot --help)" : " (ilot " + called.front()->get_name() + " --help)";
+  std::string what = fault.what();
+  if (const std::size_t at = what.find(": 1 required "); at != std::string::npos)
+    what = what.substr(0, at) + ": a value must follow";
+  return what + help;
 }
 
 }  // namespace ilot
