@@ -7,11 +7,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <vector>
 
 #include "engine/error.h"
+#include "engine/settings/nearest_name.h"
 
 namespace ilot::scan {
 namespace {
@@ -29,21 +29,6 @@ constexpr std::array<SceneOption, 11> kDistrict{{
     {"scene.flat", 0.25, "share", 0, 1, "houses with a flat roof"},
     {"scene.hip", 0.25, "share", 0, 1, "houses with a hip roof; those neither flat nor hip have a gable"},
 }};
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
 
 // Returns the number of a name in "first|second|third".
 std::optional<double> choice_value(std::string_view choices, std::string_view name) {
@@ -68,10 +53,9 @@ void SceneValues::set(std::string_view assignment) {
   const std::string_view key = assignment.substr(0, equals), text = assignment.substr(equals + 1);
   const auto option = std::find_if(options_.begin(), options_.end(), [&](const auto& o) { return o.key == key; });
   if (option == options_.end()) {
-    const auto nearest = std::min_element(options_.begin(), options_.end(), [&](const auto& a, const auto& b) {
-      return edit_distance(a.key, key) < edit_distance(b.key, key);
-    });
-    throw Error(fmt::format("--set {}: no such key; the nearest is {}", key, nearest->key), ExitCode::usage);
+    std::vector<std::string> keys;
+    for (const SceneOption& o : options_) keys.emplace_back(o.key);
+    throw Error(fmt::format("--set {}: no such key{}", key, did_you_mean(key, keys)), ExitCode::usage);
   }
   if (const auto chosen = choice_value(option->choices, text)) {
     values_.insert_or_assign(std::string(key), *chosen);

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "engine/error.h"
+#include "engine/settings/nearest_name.h"
 #include "scan/districts/district_file.h"
 #include "scan/facades/building.h"
 #include "scan/facades/facade_haussmann.h"
@@ -88,7 +89,12 @@ std::span<const Scene> scenes() {
 const Scene& find_scene(std::string_view name) {
   const std::span<const Scene> all = scenes();
   const auto found = std::find_if(all.begin(), all.end(), [&](const Scene& s) { return s.name == name; });
-  if (found == all.end()) throw Error(fmt::format("scan: no scene '{}' (ilot scan --list)", name), ExitCode::usage);
+  if (found == all.end()) {
+    std::vector<std::string> names;
+    for (const Scene& s : all) names.emplace_back(s.name);
+    throw Error(fmt::format("scan: no scene '{}'{} (ilot scan --list)", name, did_you_mean(name, names)),
+                ExitCode::usage);
+  }
   return *found;
 }
 

@@ -16,7 +16,7 @@ Clusters euclidean_clusters(const PointArrays& points, double radius, double ste
   const LatticePoints lattice = lattice_points(points, step);
   const double reach = std::round(in_steps(radius, lattice.step, "radius"));
   if (!(reach >= 1) || reach * 500000 < kLatticeSteps)
-    throw Error("radius: too small beside the extent of the points, part them first", ExitCode::usage);
+    throw Error("radius: too small beside the extent of the points, split them first", ExitCode::usage);
   std::vector<std::uint32_t> all(lattice.given.size());
   for (std::uint32_t i = 0; i < all.size(); ++i) all[lattice.given[i]] = i;  // in the user's order: so are the numbers
   const double most = kLatticeSteps * 2;

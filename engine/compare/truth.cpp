@@ -12,6 +12,7 @@
 
 #include "engine/deliverables/tables/json_node.h"
 #include "engine/error.h"
+#include "engine/json_fault.h"
 
 namespace ilot {
 namespace {
@@ -85,7 +86,7 @@ Truth parse_truth(std::string_view text, const std::string& name) {
   try {
     json = Json::parse(text.begin(), text.end());
   } catch (const Json::exception& fault) {
-    throw Error(name + ": broken JSON: " + fault.what());
+    throw Error(name + ": broken JSON: " + json_fault(fault.what()));
   }
   const JsonNode root{json, name};
   if (!json.is_object()) root.fail("needs a JSON object");

@@ -53,7 +53,7 @@ bool is_cloud_extension(const std::filesystem::path& path) {
 
 std::unique_ptr<PointReader> open_cloud(const std::filesystem::path& path, const OpenOptions& options) {
   auto file = std::make_unique<InputFile>(path);
-  if (file->size() == 0) throw Error(path.string() + ": is empty; deliver it again");
+  if (file->size() == 0) throw Error(path.string() + ": is empty; fetch or export it again");
   std::array<std::byte, kSniffed> buffer;
   const auto beginning = std::span(buffer).first(file->read_at(0, buffer));
   const std::string extension = lower_extension(path);

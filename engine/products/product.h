@@ -64,6 +64,7 @@ struct Product {
   // What it says of points, after all products are made; run.planes is still set. Takes from the run what it needs.
   ProductLabels (*labels)(ProductRun& run) = nullptr;
   std::string (*summary)(const RunRecord& record) = nullptr;  // "12 buildings"; empty: the product did not run
+  const char* main_file = "";                                 // of its results, the one to open first; relative to OUT
 };
 
 // Records that a product was skipped, and reports it.

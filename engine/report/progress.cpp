@@ -14,6 +14,11 @@ namespace {
 
 constexpr double kLineSeconds = 10;
 constexpr double kDrawSeconds = 0.1;
+constexpr std::size_t kBarWidth = 20;  // Choice: letters; the line fits into 80 with the longest count.
+// Choice: the expected end follows a new estimate within five seconds, so that the time left does not jump.
+constexpr double kSettleSeconds = 5;
+// Choice: before a fiftieth is done, the time left says nothing.
+constexpr double kLeastShare = 0.02;
 
 using Fields = std::vector<std::pair<std::string, std::string>>;
 
@@ -66,11 +71,54 @@ void Progress::line(std::string_view text, Verbosity least) {
   live_shown_ = false;
 }
 
-std::string Progress::stage_text() const {
+double Progress::stage_share() const {
+  const std::uint64_t done = done_.load(std::memory_order_relaxed);
+  return total_ == 0 ? 0 : static_cast<double>(std::min(done, total_)) / static_cast<double>(total_);
+}
+
+double Progress::overall_share() const {
+  double before = 0, all = 0;
+  for (std::size_t i = 0; i < plan_.size(); ++i) {
+    all += plan_[i].seconds;
+    if (i < planned_) before += plan_[i].seconds;
+  }
+  if (in_plan_) before += plan_[planned_].seconds * stage_share();
+  return all > 0 ? before / all : 0;
+}
+
+// Returns the seconds until all stages are done; negative as long as they cannot be estimated.
+double Progress::seconds_left() {
+  const double share = overall_share(), time = options_.clock();
+  if (share < kLeastShare) return -1;
+  const double end = plan_start_ + (time - plan_start_) / share;
+  const double weight = end_time_ < 0 ? 1 : std::min(1.0, (time - end_time_) / kSettleSeconds);
+  end_ += weight * (end - end_);
+  end_time_ = time;
+  return std::max(0.0, end_ - time);
+}
+
+// Returns "5 of 13 buildings" or "1,000 of 4,000 points".
+std::string Progress::count_text(std::uint64_t done) const {
+  if (shown_.count == 0) return grouped(done) + (total_ > 0 ? " of " + grouped(total_) : "") + " " + shown_.noun;
+  const auto seen = static_cast<std::uint64_t>(stage_share() * static_cast<double>(shown_.count));
+  return grouped(seen) + " of " + grouped(shown_.count) + " " + shown_.noun;
+}
+
+std::string Progress::overall_text() {
+  const double share = overall_share(), left = seconds_left();
+  const auto full = static_cast<std::size_t>(share * kBarWidth);
+  std::string text = "[" + std::string(full, '#') + std::string(kBarWidth - full, '-') + "]";
+  text += fmt::format(" {:3.0f} %  ", 100 * share) + (options_.colour ? "\x1b[1m" + stage_ + "\x1b[0m" : stage_);
+  text += ": " + count_text(done_.load(std::memory_order_relaxed));
+  return left < 0 ? text : text + ", " + duration(left) + " left";
+}
+
+std::string Progress::stage_text() {
+  if (!plan_.empty()) return overall_text();
   const std::uint64_t done = done_.load(std::memory_order_relaxed);
   const Rate r = rate();
   std::string text = options_.colour ? fmt::format("\x1b[1m{}\x1b[0m", stage_) : stage_;
-  if (total_ > 0) text += fmt::format(" {:5.1f} %", 100.0 * static_cast<double>(std::min(done, total_)) / total_);
+  if (total_ > 0) text += fmt::format(" {:5.1f} %", 100 * stage_share());
   text +=
       fmt::format(", {} points, {} points/s", grouped(done), grouped(static_cast<std::uint64_t>(r.points_per_second)));
   if (r.eta_seconds >= 0) text += ", " + duration(r.eta_seconds) + " left";
@@ -113,9 +161,22 @@ void Progress::input_skipped(std::string_view path, std::string_view reason) {
   line(fmt::format("ilot: {}: skipped: {}", path, reason), Verbosity::quiet);
 }
 
-void Progress::begin_stage(std::string_view name, std::uint64_t total_points) {
+void Progress::plan(std::vector<PlannedStage> stages) {
+  const std::lock_guard lock(mutex_);
+  plan_ = std::move(stages);
+  planned_ = 0;
+  plan_start_ = options_.clock();
+  end_time_ = -1;
+}
+
+void Progress::begin_stage(std::string_view name, std::uint64_t total_points, const ShownCount& shown) {
   const std::lock_guard lock(mutex_);
   end_stage_locked();
+  shown_ = shown;
+  const auto from = plan_.begin() + static_cast<std::ptrdiff_t>(planned_);
+  const auto found = std::find_if(from, plan_.end(), [&](const PlannedStage& s) { return s.name == name; });
+  in_plan_ = found != plan_.end();
+  if (in_plan_) planned_ = static_cast<std::size_t>(found - plan_.begin());
   stage_ = name;
   unit_.clear();
   total_ = total_points;
@@ -138,9 +199,14 @@ void Progress::end_stage_locked() {
   event("stage_done", {{"stage", json_quote(stage_)},
                        {"points", std::to_string(record.points)},
                        {"points_per_s", fmt::format("{:.0f}", rate().points_per_second)}});
-  line(fmt::format("{}: {} points in {:.1f} s, {} points/s", stage_, grouped(record.points), record.seconds,
-                   grouped(static_cast<std::uint64_t>(rate().points_per_second))),
-       Verbosity::normal);
+  const bool points = shown_.count == 0;  // else their rate says nothing to people
+  const std::string rate_text =
+      points ? ", " + grouped(static_cast<std::uint64_t>(rate().points_per_second)) + " points/s" : "";
+  line(fmt::format("{}: {} {} in {:.1f} s{}", stage_, grouped(points ? record.points : shown_.count), shown_.noun,
+                   record.seconds, rate_text),
+       options_.live && !plan_.empty() ? Verbosity::verbose : Verbosity::normal);
+  if (in_plan_) ++planned_;
+  in_plan_ = false;
   stages_.push_back(std::move(record));
   stage_.clear();
 }

@@ -29,6 +29,19 @@ struct StageRecord {
   std::uint64_t points = 0;
 };
 
+// A stage that a run will have, with the seconds that it takes relative to the others.
+struct PlannedStage {
+  std::string name;
+  double seconds = 0;
+};
+
+// What the work of a stage is counted in when it is shown: 13 buildings, whatever the number of points that are read
+// for them.
+struct ShownCount {
+  std::uint64_t count = 0;
+  std::string noun = "points";
+};
+
 class Progress {
  public:
   Progress() : Progress(ProgressOptions{}) {}  // silent, but still keeps the stage records
@@ -40,8 +53,13 @@ class Progress {
   void input_ok(std::string_view path, std::uint64_t points);
   void input_skipped(std::string_view path, std::string_view reason);  // writes a line too, even when quiet
 
+  // The stages that will follow, in their order. From then on the share and the time that is left are those of all
+  // stages. A planned stage that does not come is passed over.
+  void plan(std::vector<PlannedStage> stages);
+
   // Names are those of run.json. A stage that is still open is ended first. total = 0: unknown, no percentage is shown.
-  void begin_stage(std::string_view name, std::uint64_t total_points);
+  // advance() counts towards `total_points`; `shown` is what people see of it, the points themselves if there is none.
+  void begin_stage(std::string_view name, std::uint64_t total_points, const ShownCount& shown = {});
   void advance(std::uint64_t points) { done_.fetch_add(points, std::memory_order_relaxed); }
   void end_stage();
   std::uint64_t done() const { return done_.load(std::memory_order_relaxed); }  // points of the stage
@@ -72,9 +90,14 @@ class Progress {
   };
   double now() const;
   Rate rate() const;
+  double stage_share() const;
+  double overall_share() const;
+  double seconds_left();
+  std::string count_text(std::uint64_t done) const;
+  std::string overall_text();
   void end_stage_locked();
   void line(std::string_view text, Verbosity least);
-  std::string stage_text() const;
+  std::string stage_text();
   void event(std::string_view name, const std::vector<std::pair<std::string, std::string>>& fields);
   std::vector<std::pair<std::string, std::string>> stage_fields() const;
 
@@ -86,6 +109,11 @@ class Progress {
   double start_ = 0, stage_start_ = 0, stage_cpu_ = 0, last_line_ = 0, last_draw_ = 0;
   bool live_shown_ = false;
   std::vector<StageRecord> stages_;
+  ShownCount shown_;
+  std::vector<PlannedStage> plan_;
+  std::size_t planned_ = 0;                          // stages of the plan before the current one
+  bool in_plan_ = false;                             // the current stage is plan_[planned_]
+  double plan_start_ = 0, end_ = 0, end_time_ = -1;  // end_: when all is expected to be done, as of end_time_
 };
 
 // Returns for example 1,234,567.

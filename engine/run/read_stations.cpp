@@ -54,7 +54,8 @@ ColumnOrder usual_order(const StationFields& first, const std::string& where) {
   const bool named = !parse_number(first[0], number);
   const std::size_t columns = first.size() - (named ? 1 : 0);
   if (columns != 3 && columns != 5 && columns != 8)
-    refuse_stations(where, "has " + std::to_string(columns) + " columns; x y z, two steps and an axis are 3, 5 or 8");
+    refuse_stations(where, "has " + std::to_string(columns) +
+                               " columns; expected are x y z (3), with two angular steps (5), with the axis too (8)");
   ColumnOrder order;
   if (named) order.push_back(kName);
   for (std::size_t i = 0; i < columns; ++i) order.push_back(i);

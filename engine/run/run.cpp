@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/run/run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -18,6 +20,7 @@
 #include "engine/products/planes/make_planes.h"
 #include "engine/products/roofs/footprint_plan.h"
 #include "engine/products/streets/make_streets.h"
+#include "engine/report/counted.h"
 #include "engine/report/product_files.h"
 #include "engine/report/resources.h"
 #include "engine/report/run_record.h"
@@ -199,15 +202,20 @@ void make_products(const RunOptions& options, const RunInputs& inputs, const std
   count_points(index, inputs, labelled, record);
 }
 
-std::string summary(const RunRecord& record) {
-  std::string made;
+// Returns a line for each product with what was made and the file that has it, and one for the whole run.
+std::string summary(const RunOptions& options, const RunRecord& record) {
+  std::string text;
   for (const Product* product : all_products()) {
-    const std::string part = product->summary(record);
-    if (!part.empty()) made += part + ", ";
+    const std::string made = product->summary(record);
+    if (made.empty() || !makes(options, product->name)) continue;
+    text += fmt::format("{:<9}{}: {}\n", product->name, made, (options.output / product->main_file).string());
   }
-  return grouped(record.points.read) + " points, " + made +
-         std::to_string(static_cast<int>(std::ceil(record.seconds))) + " s, peak " +
-         std::to_string(record.peak_rss_bytes >> 20) + " MiB, " + std::to_string(record.skipped.size()) + " skipped";
+  const auto seconds = static_cast<std::uint64_t>(std::ceil(record.seconds));
+  text += "all      " + counted(record.points.read, "point") + ", " + counted(seconds, "second") + ", peak " +
+          std::to_string(record.peak_rss_bytes >> 20) + " MiB";
+  if (!record.skipped.empty())
+    text += ", " + grouped(record.skipped.size()) + " skipped: " + (options.output / "run.json").string() + " says why";
+  return text;
 }
 
 int dry_run(const RunOptions& options, const RunInputs& inputs, std::size_t sites, Progress& progress) {
@@ -215,12 +223,12 @@ int dry_run(const RunOptions& options, const RunInputs& inputs, std::size_t site
   const RunEstimate needs = estimate_run(options, inputs);
   const auto seconds = static_cast<std::uint64_t>(std::ceil(needs.processor_seconds));
   const auto mebibytes = [](std::uint64_t bytes) { return std::to_string((bytes >> 20) + 1) + " MiB"; };
-  progress.note("would read " + grouped(inputs.points) + " points from " + std::to_string(inputs.readers.size()) +
-                " files into blocks of at most " + grouped(affordable_block_points(options, thread_count())));
-  if (sites > 0) progress.note("would model " + grouped(sites) + " outlines of buildings");
+  progress.note("would read " + grouped(inputs.points) + " points from " + counted(inputs.readers.size(), "file") +
+                " into blocks of at most " + grouped(affordable_block_points(options, thread_count())));
+  if (sites > 0) progress.note("would model " + counted(sites, "outline of a building", "outlines of buildings"));
   progress.note("would take about " + grouped(seconds) + " s of processor time, " +
-                grouped((seconds + threads - 1) / threads) + " s on " + std::to_string(threads) +
-                " threads, and at most " + mebibytes(options.memory_bytes - 1) + " of memory");
+                grouped((seconds + threads - 1) / threads) + " s on " + counted(threads, "thread") + ", and at most " +
+                mebibytes(options.memory_bytes - 1) + " of memory");
   progress.note("would need at most about " + mebibytes(needs.store_bytes) + " of disk for the store and " +
                 mebibytes(needs.result_bytes) +
                 " for the results; free: " + std::to_string(free_disk_bytes(options.output) >> 20) + " MiB");
@@ -257,7 +265,7 @@ std::string report_line(const RunOptions& options, Progress& progress) {
     remove_report(out);
     if (!options.report) return "";
     write_report(out);
-    return "; open " + (out / kReportFile).string();
+    return "\nopen " + (out / kReportFile).string();
   } catch (const std::exception& fault) {
     progress.warn("the result is whole, but its report cannot be made: " + std::string(fault.what()));
     return "";
@@ -287,11 +295,12 @@ int run_in_arena(const RunOptions& given, const TrainObjectModel& learn, Progres
   }
   set_memory_limit(memory_to_fill(options));
   out->check_space(estimate_run(options, inputs));
+  progress.plan(planned_stages(options));
   make_products(options, inputs, sites, {options.train, learn}, *out, progress, record);
   complete_record(options, progress, start, record);
   out->publish(record);
   out->finish(options.keep_store);
-  progress.run_done(summary(record) + report_line(options, progress));
+  progress.run_done(summary(options, record) + report_line(options, progress));
   return static_cast<int>(record.exit);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/run/run_estimate.h"
 
+#include <algorithm>
+
 #include "engine/run/products.h"
 
 namespace ilot {
@@ -12,6 +14,11 @@ namespace {
 constexpr ProductCost kIndex{44, 0, 0.5};
 constexpr std::uint64_t kTables = 1u << 20;  // of a product of a cloud of few points: an empty GeoPackage has 100 KB
 constexpr std::uint64_t kLabels = 44;        // of a point: all of its labels and its normal
+
+// Measured: medians of 150 to 1,600 runs on wild scenes and real clouds, microseconds per point of the cloud on two
+// cores. A single cloud is up to four times away from them, so that the time left settles only while a run goes on.
+constexpr double kIndexCost = 1.2, kNormalsCost = 1.9, kPlanesCost = 21, kJoinCost = 3, kBoundariesCost = 5,
+                 kFacadesCost = 5.3, kClustersCost = 5.7, kRoofsCost = 43, kStreetsCost = 2.3, kWriteCost = 2.8;
 
 }  // namespace
 
@@ -29,6 +36,22 @@ RunEstimate estimate_run(const RunOptions& options, const RunInputs& inputs) {
   for (const auto& reader : inputs.readers)
     estimate.result_bytes += reader->info().points * (reader->info().layout.record_length + kLabels);
   return estimate;
+}
+
+std::vector<PlannedStage> planned_stages(const RunOptions& options) {
+  const auto asked = [&](const char* product) { return std::ranges::count(options.products, product) > 0; };
+  std::vector<PlannedStage> stages{{"index", kIndexCost}};
+  const auto add = [&](const PlannedStage& stage) { stages.push_back(stage); };
+  if (asked("planes") || asked("facades"))
+    for (const PlannedStage& s : {PlannedStage{"normals", kNormalsCost}, PlannedStage{"planes", kPlanesCost},
+                                  PlannedStage{"join", kJoinCost}, PlannedStage{"boundaries", kBoundariesCost}})
+      add(s);
+  if (asked("facades")) add({"facades", kFacadesCost});
+  if (asked("roofs") && options.footprints.empty()) add({"clusters", kClustersCost});
+  if (asked("roofs")) add({"roofs", kRoofsCost});
+  if (asked("streets")) add({"streets", kStreetsCost});
+  if (options.clouds) add({"write", kWriteCost});
+  return stages;
 }
 
 }  // namespace ilot

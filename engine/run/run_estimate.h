@@ -2,7 +2,9 @@
 // An estimate, before a run begins, of what it will need.
 #pragma once
 #include <cstdint>
+#include <vector>
 
+#include "engine/report/progress.h"
 #include "engine/run/open_inputs.h"
 
 namespace ilot {
@@ -14,5 +16,9 @@ struct RunEstimate {
 };
 
 RunEstimate estimate_run(const RunOptions& options, const RunInputs& inputs);
+
+// Returns the stages that a run with these options will have, in their order and with their relative times, for the
+// display of its progress.
+std::vector<PlannedStage> planned_stages(const RunOptions& options);
 
 }  // namespace ilot

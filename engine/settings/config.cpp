@@ -94,7 +94,7 @@ bool is_section(const std::string& key) {
 }
 
 Fault unknown(const std::string& key, toml::source_position where) {
-  return {where, "unknown setting '" + key + "'; the nearest is '" + nearest_parameter(key).key + "'"};
+  return {where, "unknown setting '" + key + "'" + did_you_mean_parameter(key)};
 }
 
 std::optional<Fault> assign(Settings& settings, const std::string& key, toml::source_position key_place,

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "engine/settings/nearest_name.h"
+
 namespace ilot {
 namespace {
 
@@ -55,24 +57,6 @@ bool in_range(const ValueRange& range, const Value& value) {
   return true;
 }
 
-// Returns the optimal string alignment distance.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> before, above(b.size() + 1), row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) above[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replace = above[j - 1] + (a[i - 1] != b[j - 1]);
-      row[j] = std::min({above[j] + 1, row[j - 1] + 1, replace});
-      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
-      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
-    }
-    before = above;
-    above = row;
-  }
-  return above[b.size()];
-}
-
 }  // namespace
 
 const std::vector<Parameter>& parameters() {
@@ -87,15 +71,19 @@ const Parameter* find_parameter(std::string_view key) {
   return nullptr;
 }
 
-const Parameter& nearest_parameter(std::string_view key) {
-  const std::string_view head = key.substr(0, 200);
-  const Parameter* best = nullptr;
-  std::size_t best_distance = 0;
+std::string did_you_mean_parameter(std::string_view key) {
+  const bool dotted = key.find('.') != std::string_view::npos;
+  std::vector<std::string> names, keys;
   for (const Parameter& p : parameters()) {
-    const std::size_t distance = edit_distance(head, p.key);
-    if (best == nullptr || distance < best_distance) best = &p, best_distance = distance;
+    names.push_back(dotted ? p.key : p.key.substr(p.key.rfind('.') + 1));
+    keys.push_back(p.key);
   }
-  return *best;
+  const auto name = nearest_name(key, names);
+  if (!name) return "; ilot run --print-config lists all settings";
+  std::string text;  // two sections may have a setting of the same name
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == *name) text += (text.empty() ? "; did you mean '" : "' or '") + keys[i];
+  return text + "'?";
 }
 
 std::optional<std::string> check_value(const Parameter& p, const Value& value) {

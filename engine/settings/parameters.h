@@ -14,9 +14,9 @@ namespace ilot {
 // Makes the list that parameters() keeps.
 std::vector<Parameter> parameter_table();
 
-// Returns the key with the smallest edit distance (insert, delete, replace, swap of neighbours); ties go to the earlier
-// one.
-const Parameter& nearest_parameter(std::string_view key);
+// Returns "; did you mean 'planes.epsilon'?" for a key that does not exist, or where all keys are listed. A key without
+// its section is compared with the names of the settings alone.
+std::string did_you_mean_parameter(std::string_view key);
 
 // Returns the accepted values of the parameter: "a number (m) or \"auto\"".
 std::string expected_text(const Parameter& parameter);

@@ -22,7 +22,7 @@ class Cli(CliCase):
         self.refuse(["run", c, self.folder / "none.las", "-o", o], "none.las: no such file")
         self.refuse(["run", self.folder / "*.laz", "-o", o], "*.laz: no such file")
         self.refuse(["run", c, "-o", o, "--set", "planes.epsilom=1"], "unknown setting 'planes.epsilom'",
-                    "nearest is 'planes.epsilon'")
+                    "did you mean 'planes.epsilon'?")
         self.refuse(["run", c, "-o", o, "--set", "planes.epsilon=99"], "out of range: 0.0001 to 10 m")
         self.refuse(["run", c, "-o", o, "--set", "planes.epsilon"], "KEY=VALUE")
         self.refuse(["run", c, "-o", o, "--block-points", "5"], "256 to 67108864")
@@ -124,7 +124,7 @@ class Cli(CliCase):
         closed.write_text(corners + walls + "f 4 1 5 8\n")
         good = ilot("validate", closed)
         self.assertEqual((good.returncode, good.stderr), (0, ""))
-        self.assertTrue(good.stdout.endswith("closed.obj: valid: 1 objects\n"), good.stdout)
+        self.assertTrue(good.stdout.endswith("closed.obj: valid: 1 object\n"), good.stdout)
         shed = self.folder / "shed.obj"
         shed.write_text("o shed\n" + corners + walls)
         both = ilot("validate", closed, shed)

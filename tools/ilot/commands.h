@@ -21,5 +21,7 @@ void add_render_command(CLI::App& app, Action& action);
 void add_report_command(CLI::App& app, Action& action);
 void add_validate_command(CLI::App& app, Action& action);
 void add_view_command(CLI::App& app, Action& action);
+void add_doctor_command(CLI::App& app, Action& action);
+void add_manual_commands(CLI::App& app, Action& action);  // `manual` and `completion`
 
 }  // namespace ilot

@@ -16,6 +16,7 @@
 #include "kernels/simd/variants.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
+#include "tools/ilot/usage_fault.h"
 
 namespace {
 
@@ -82,6 +83,8 @@ int run_command_line(int argc, char** argv) {
   add_report_command(app, action);
   add_validate_command(app, action);
   add_view_command(app, action);
+  add_doctor_command(app, action);
+  add_manual_commands(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -89,13 +92,15 @@ int run_command_line(int argc, char** argv) {
     print(called.empty() ? app.help() : called.front()->help("ilot"));
     return 0;
   } catch (const CLI::ParseError& fault) {
-    throw Error(std::string(fault.what()) + " (ilot --help)", ExitCode::usage);
+    throw Error(usage_fault(app, fault), ExitCode::usage);
   }
   if (show_version) {
     print(version_text(json));
     return 0;
   }
-  if (app.get_subcommands().empty()) throw Error("no command given (ilot --help)", ExitCode::usage);
+  if (app.get_subcommands().empty())
+    throw Error("no command given; the first is ilot info CLOUD or ilot run CLOUD -o OUT (ilot --help)",
+                ExitCode::usage);
   return action ? action() : 0;
 }
 

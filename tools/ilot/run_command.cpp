@@ -11,6 +11,7 @@
 #include "engine/run/read_area.h"
 #include "engine/run/run.h"
 #include "engine/settings/config.h"
+#include "engine/settings/nearest_name.h"
 #include "engine/settings/parameters.h"
 #include "kernels/core/parallel.h"
 #include "tools/ilot/commands.h"
@@ -65,7 +66,9 @@ std::vector<std::string> products_of(const RunArguments& given) {
   std::vector<std::string> products = given.products;
   for (const std::string& product : products) {
     if (std::find(known.begin(), known.end(), product) == known.end())
-      throw Error("--products " + product + ": there is no such product; there is: " + join(known), ExitCode::usage);
+      throw Error("--products " + product + ": there is no such product" + did_you_mean(product, known) +
+                      "; there are: " + join(known),
+                  ExitCode::usage);
   }
   std::sort(products.begin(), products.end());
   products.erase(std::unique(products.begin(), products.end()), products.end());

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "engine/report/counted.h"
 #include "tools/ilot/console.h"
 
 namespace ilot {
@@ -29,7 +30,7 @@ std::string object_line(const ObjectValidity& found) {
 }
 
 std::string summary_line(const ModelsValidity& sum) {
-  if (sum.valid()) return fmt::format("valid: {} objects", sum.objects);
+  if (sum.valid()) return "valid: " + counted(sum.objects, "object");
   std::string codes;
   for (const auto& [code, objects] : sum.codes)
     codes += fmt::format("{}{}: {}", codes.empty() ? "" : ", ", code, objects);

@@ -4,9 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <memory>
-#include <sstream>
 #include <string>
 
 #include "engine/deliverables/report/report.h"
@@ -17,6 +15,7 @@
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
 #include "tools/ilot/folder_server.h"
+#include "tools/ilot/opener.h"
 
 namespace ilot {
 namespace {
@@ -27,18 +26,8 @@ struct ViewArguments {
   bool no_browser = false;
 };
 
-// Returns the program that opens addresses; empty where there is none.
-std::string opener() {
-  std::istringstream folders(std::getenv("PATH") == nullptr ? "" : std::getenv("PATH"));
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    const std::filesystem::path program = std::filesystem::path(folder) / "xdg-open";
-    if (access(program.c_str(), X_OK) == 0) return program.string();
-  }
-  return {};
-}
-
 void open_browser(const std::string& address) {
-  const std::string program = opener();
+  const std::string program = browser_opener();
   std::string name = "xdg-open", target = address;
   char* const arguments[] = {name.data(), target.data(), nullptr};
   pid_t child = 0;

@@ -71,7 +71,7 @@ class ToCloud {
     if (found == nullptr || target_ == nullptr || beyond_degrees(*found, layer)) {
       if (found != nullptr && found->IsGeographic() && !beyond_degrees(*found, layer))
         throw usage(path, "is in degrees, and the CRS of the clouds is not known; give --crs");
-      out.warnings.push_back(path.string() + ": is taken to be in the CRS of the clouds, for " +
+      out.warnings.push_back(path.string() + ": is taken to be in the CRS of the clouds, because " +
                              (target_ == nullptr ? "theirs is not known" : "its own is not known"));
       return;
     }

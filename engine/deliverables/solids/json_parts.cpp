@@ -2,6 +2,7 @@
 #include "engine/deliverables/solids/json_parts.h"
 
 #include "engine/error.h"
+#include "engine/json_fault.h"
 
 namespace ilot {
 
@@ -23,7 +24,7 @@ Json parse_json(std::string_view text, const std::string& place) {
   try {
     return Json::parse(text.begin(), text.end(), shallow);
   } catch (const Json::exception& fault) {
-    throw Error(place + ": broken JSON: " + fault.what());
+    throw Error(place + ": broken JSON: " + json_fault(fault.what()));
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "engine/deliverables/tables/json_node.h"
 #include "engine/error.h"
+#include "engine/json_fault.h"
 #include "engine/whole_file.h"
 
 namespace ilot {
@@ -181,7 +182,7 @@ Facade parse_facade_json(std::string_view text, const std::string& name) {
   try {
     json = nlohmann::json::parse(text.begin(), text.end());
   } catch (const nlohmann::json::exception& fault) {
-    throw Error(name + ": broken JSON: " + fault.what());
+    throw Error(name + ": broken JSON: " + json_fault(fault.what()));
   }
   const JsonNode r{json, name};
   if (r.at("type").text() != "ilot facade" || r.at("version").count() != kVersion)

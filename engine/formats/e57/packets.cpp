@@ -62,7 +62,7 @@ bool Packets::next(std::vector<std::span<const std::byte>>& pieces) {
     const auto type = load<std::uint8_t>(head);
     const std::size_t length = load<std::uint16_t>(head + 2) + std::size_t{1};
     if (whole && (type > kEmptyPacket || length % 4 != 0))
-      return fail("something that is no packet stands at logical byte " + std::to_string(at_));
+      return fail("no packet begins at logical byte " + std::to_string(at_));
     if (whole && length > end_ - at_) return fail("its section ends inside a packet");
     const std::span<std::byte> packet = std::span(packet_).first(length);
     whole = whole && (type != kDataPacket || pages_->read(at_, packet));

@@ -34,7 +34,7 @@ struct HeaderView {
 }
 
 HeaderView read_header(const InputFile& file) {
-  if (file.size() == 0) refuse(file, "is empty; deliver it again");
+  if (file.size() == 0) refuse(file, "is empty; fetch or export it again");
   HeaderView header;
   header.bytes.resize(las::header_size(0));
   const std::size_t got = file.read_at(0, header.bytes);

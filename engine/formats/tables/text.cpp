@@ -134,7 +134,7 @@ bool is_pts(const std::filesystem::path& path) {
 
 std::unique_ptr<PointReader> open_text(std::unique_ptr<InputFile> file, const OpenOptions& options) {
   const std::string path = file->path().string();
-  if (file->size() == 0) throw Error(path + ": is empty; deliver it again");
+  if (file->size() == 0) throw Error(path + ": is empty; fetch or export it again");
   Preamble preamble = read_preamble(*file);
   const std::string place = path + ": line " + std::to_string(preamble.first_line);
   const std::vector<std::string> rows = beginning(*file, preamble);

@@ -353,7 +353,7 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
     tasks.push_back({facade_bytes(gather_facade(work, wall).site, count, concurrency), count});
     points += count;
   }
-  progress.begin_stage("facades", points);
+  progress.begin_stage("facades", points, {run->walls.size(), run->walls.size() == 1 ? "facade" : "facades"});
   run->found.resize(run->walls.size());
   find_each({settings, inputs, context, concurrency, observer}, dormers, tasks, *run);
   join_facades(run->found, small_walls(run->walls, pieces.segments, sides, params, pieces.ends),

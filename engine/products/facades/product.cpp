@@ -5,6 +5,7 @@
 
 #include "engine/products/facades/facade_labels.h"
 #include "engine/products/facades/make_facades.h"
+#include "engine/report/counted.h"
 
 namespace ilot {
 namespace {
@@ -16,11 +17,11 @@ constexpr const char* kNoFacade = "no upright plane is as large as a facade; see
 Suitability suits(const CloudInfo& info, const CloudMeasure& measure) {
   if (measure.sampling_step > kMostStep) return {false, step_text(measure) + ", 0.1 m at most"};
   if (info.stations.empty()) return {true, step_text(measure) + "; shadows need --stations"};
-  return {true, step_text(measure) + fmt::format(", {} stations known", info.stations.size())};
+  return {true, step_text(measure) + ", " + counted(info.stations.size(), "station") + " known"};
 }
 
 std::string summary(const RunRecord& record) {
-  return record.facades ? grouped(record.facades->facades) + " facades" : "";
+  return record.facades ? counted(record.facades->facades, "facade") : "";
 }
 
 void make(ProductRun& run) {
@@ -36,7 +37,7 @@ ProductLabels labels(ProductRun&) {
 }  // namespace
 
 const Product& facades_product() {
-  static const Product product{"facades", true, false, {16, 12, 1.5}, suits, make, labels, summary};
+  static const Product product{"facades", true, false, {16, 12, 1.5}, suits, make, labels, summary, "facades/"};
   return product;
 }
 

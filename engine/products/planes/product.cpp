@@ -7,6 +7,7 @@
 #include "engine/products/planes/make_boundaries.h"
 #include "engine/products/planes/make_planes.h"
 #include "engine/products/planes/plane_labels.h"
+#include "engine/report/counted.h"
 
 namespace ilot {
 namespace {
@@ -20,8 +21,8 @@ Suitability suits(const CloudInfo&, const CloudMeasure& measure) {
 
 std::string summary(const RunRecord& record) {
   std::string made;
-  if (record.planes) made = grouped(*record.planes) + " planes";
-  if (record.shapes) made += ", " + grouped(*record.shapes) + " curved shapes";
+  if (record.planes) made = counted(*record.planes, "plane");
+  if (record.shapes) made += ", " + counted(*record.shapes, "curved shape");
   return made;
 }
 
@@ -64,7 +65,7 @@ ProductLabels labels(ProductRun& run) {
 }  // namespace
 
 const Product& planes_product() {
-  static const Product product{"planes", false, false, {48, 6, 2.5}, suits, make, labels, summary};
+  static const Product product{"planes", false, false, {48, 6, 2.5}, suits, make, labels, summary, "planes.gpkg"};
   return product;
 }
 

@@ -185,7 +185,7 @@ void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Se
   const RoofBudget budget(context.budget_bytes, sites, costs);
   std::uint64_t points = 0;
   for (const PassTask& cost : costs) points += cost.points;
-  out.progress.begin_stage("roofs", points);
+  out.progress.begin_stage("roofs", points, {wanted.size(), wanted.size() == 1 ? "building" : "buildings"});
   if (out.record.footprints) {
     out.record.footprints->overlapping = count_overlapping(sites, work.map);
     measure_misalignment(work, wanted, costs, budget, out.progress, *out.record.footprints);

@@ -10,6 +10,7 @@
 #include "engine/products/roofs/footprint_outcome.h"
 #include "engine/products/roofs/make_roofs.h"
 #include "engine/products/roofs/roof_labels.h"
+#include "engine/report/counted.h"
 
 namespace ilot {
 namespace {
@@ -28,7 +29,7 @@ Suitability suits(const CloudInfo& info, const CloudMeasure& measure) {
 }
 
 std::string summary(const RunRecord& record) {
-  return record.roofs ? grouped(record.roofs->buildings) + " buildings" : "";
+  return record.roofs ? counted(record.roofs->buildings, "building") : "";
 }
 
 // Writes the role of each point: as the cloud classifies it, or, where the cloud has no class for buildings, found by
@@ -40,7 +41,7 @@ void make_roles(ProductRun& run) {
   if (count_of(write_roles(run.store, roles, run.context), PointRole::building) > 0) return;
   run.progress.begin_stage("normals", run.store.points());
   normals_pass(run.store, run.settings.normals, run.context);
-  run.progress.begin_stage("classes", run.store.points());
+  run.progress.begin_stage("classes", run.store.points(), {run.store.points(), "points"});
   const AdvancedRoofs& advanced = run.settings.roofs.advanced;
   const RoleCounts found =
       find_roles(run.store, {advanced.ground_within, advanced.least_height, advanced.smoothness}, run.context);
@@ -73,7 +74,8 @@ ProductLabels labels(ProductRun& run) {
 }  // namespace
 
 const Product& roofs_product() {
-  static const Product product{"roofs", false, true, {44, 8, 1.5}, suits, make, labels, summary};
+  static const Product product{"roofs", false,  true,    {44, 8, 1.5},           suits,
+                               make,    labels, summary, "roofs/roofs.city.json"};
   return product;
 }
 

@@ -181,7 +181,7 @@ FoundStreet find_street(const Store& store, const StreetsSettings& settings, con
 
 void make_streets(const Store& store, const Settings& settings, const StreetTraining& train, const Crs& crs,
                   const PassContext& context, const ProductOutput& out, StreetSteps* steps) {
-  out.progress.begin_stage("streets", 2 * store.points());
+  out.progress.begin_stage("streets", 2 * store.points(), {store.points(), "points"});
   std::filesystem::create_directories(out.folder);
   const FoundStreet street = find_street(store, settings.streets, context, steps == nullptr ? SeeTile{} : steps->see);
   record_choices(settings.streets, street, out.record);

@@ -3,6 +3,7 @@
 
 #include "engine/products/streets/make_streets.h"
 #include "engine/products/streets/street_labels.h"
+#include "engine/report/counted.h"
 
 namespace ilot {
 namespace {
@@ -17,7 +18,7 @@ Suitability suits(const CloudInfo&, const CloudMeasure& measure) {
 }
 
 std::string summary(const RunRecord& record) {
-  return record.streets ? grouped(record.streets->objects) + " objects" : "";
+  return record.streets ? counted(record.streets->objects, "object") : "";
 }
 
 void make(ProductRun& run) {
@@ -33,7 +34,8 @@ ProductLabels labels(ProductRun&) {
 }  // namespace
 
 const Product& streets_product() {
-  static const Product product{"streets", false, false, {30, 8, 1.0}, suits, make, labels, summary};
+  static const Product product{"streets", false,  false,   {30, 8, 1.0},          suits,
+                               make,      labels, summary, "streets/objects.gpkg"};
   return product;
 }
 

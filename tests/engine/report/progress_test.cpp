@@ -136,6 +136,47 @@ TEST(Progress, MorePointsThanAnnounced) {
   EXPECT_TRUE(r.events.back()["eta_s"].is_null());
 }
 
+TEST(Progress, APlanGivesOneBarOverAllStages) {
+  Recorded r;
+  Progress p(r.options());
+  p.plan({{"index", 1}, {"normals", 2}, {"roofs", 6}, {"write", 1}});
+  p.begin_stage("index", 100);
+  p.advance(100);
+  p.begin_stage("roofs", 3000, {13, "buildings"});  // passes over the normals
+  p.advance(1500);
+  r.time += 12;
+  p.tick();
+  EXPECT_EQ(r.console,
+            "index: 100 points in 0.0 s, 0 points/s\n"
+            "[############--------]  60 %  roofs: 6 of 13 buildings, 0:08 left\n");
+  r.console.clear();
+  p.end_stage();
+  EXPECT_EQ(r.console, "roofs: 13 buildings in 12.0 s\n");
+}
+
+TEST(Progress, TimeLeftFallsWhileWorkGoesOnEvenly) {
+  Recorded r;
+  Progress p(r.options(Verbosity::normal, true));
+  p.plan({{"index", 1}, {"planes", 9}});
+  int last = 1 << 20;
+  for (const char* stage : {"index", "planes"}) {
+    p.begin_stage(stage, 90);
+    for (int step = 0; step < 90; ++step) {
+      p.advance(1);
+      r.time += stage[0] == 'i' ? 1 : 9;
+      r.console.clear();
+      p.tick();
+      const std::size_t left = r.console.find(" left");
+      if (left == std::string::npos) continue;
+      const std::size_t begin = r.console.rfind(' ', left - 1) + 1, colon = r.console.find(':', begin);
+      const int seconds = 60 * std::stoi(r.console.substr(begin)) + std::stoi(r.console.substr(colon + 1));
+      EXPECT_LE(seconds, last);
+      last = seconds;
+    }
+  }
+  EXPECT_EQ(last, 0);
+}
+
 TEST(Progress, AnyBytesInNamesStayJson) {
   Recorded r;
   Progress p(r.options());

@@ -65,10 +65,10 @@ TEST(Config, DottedKeysEqualSections) {
 
 TEST(Config, NamesThePlaceAndTheNearestKey) {
   EXPECT_EQ(load_fault("[planes]\nepsilom = 0.02\n"),
-            "ilot.toml:2:1: unknown setting 'planes.epsilom'; the nearest is 'planes.epsilon'");
+            "ilot.toml:2:1: unknown setting 'planes.epsilom'; did you mean 'planes.epsilon'?");
   EXPECT_EQ(load_fault("[plane]\nepsilon = 0.02\n"),
-            "ilot.toml:1:2: unknown setting 'plane.epsilon'; the nearest is 'planes.epsilon'");
-  EXPECT_EQ(load_fault("sede = 1\n"), "ilot.toml:1:1: unknown setting 'sede'; the nearest is 'seed'");
+            "ilot.toml:1:2: unknown setting 'plane.epsilon'; did you mean 'planes.epsilon'?");
+  EXPECT_EQ(load_fault("sede = 1\n"), "ilot.toml:1:1: unknown setting 'sede'; did you mean 'seed'?");
   EXPECT_EQ(load_fault("planes = 3\n"), "ilot.toml:1:1: 'planes' is a section: write [planes]");
 }
 
@@ -159,7 +159,7 @@ TEST(Assignment, OverridesTheFile) {
 TEST(Assignment, NamesTheFault) {
   EXPECT_EQ(set_fault("planes.epsilon"), "--set planes.epsilon: expected KEY=VALUE, as in planes.epsilon=0.02");
   EXPECT_EQ(set_fault("plane.epsilon=1"),
-            "--set plane.epsilon=1: unknown setting 'plane.epsilon'; the nearest is 'planes.epsilon'");
+            "--set plane.epsilon=1: unknown setting 'plane.epsilon'; did you mean 'planes.epsilon'?");
   EXPECT_EQ(set_fault("planes.epsilon=-1"),
             "--set planes.epsilon=-1: planes.epsilon = -1 is out of range: 0.0001 to 10 m");
   EXPECT_EQ(set_fault("planes.epsilon=wide"),

@@ -177,7 +177,7 @@ std::string message_of(std::initializer_list<const char*> settings, std::optiona
 }
 
 TEST(DistrictScan, RefusesWrongSettingsInASentence) {
-  EXPECT_EQ(message_of({"scene.densty=3"}), "--set scene.densty: no such key; the nearest is scene.density");
+  EXPECT_EQ(message_of({"scene.densty=3"}), "--set scene.densty: no such key; did you mean 'scene.density'?");
   EXPECT_EQ(message_of({"scene.density"}), "--set scene.density: write it as scene.key=value");
   EXPECT_EQ(message_of({"scene.density=many"}),
             "--set scene.density: \"many\" is not a number from 0.1 to 200 (pulses/m2)");
