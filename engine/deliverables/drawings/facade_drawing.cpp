@@ -7,7 +7,9 @@
 #include <set>
 
 #include "engine/deliverables/drawings/drawing_sheet.h"
+#include "engine/deliverables/drawings/element_pieces.h"
 #include "engine/deliverables/drawings/facade_annotation.h"
+#include "engine/deliverables/drawings/facade_marks.h"
 #include "engine/deliverables/drawings/facade_plan.h"
 #include "engine/version.h"
 #include "kernels/core/portable_math.h"
@@ -56,12 +58,15 @@ std::vector<std::pair<DrawingRole, std::string>> legend_of(const Drawing& drawin
                                                         {R::band, "Band, cornice"},
                                                         {R::stone, "Stone"},
                                                         {R::joint, "Joint"},
-                                                        {R::bulge, "Irregularity"},
+                                                        {R::bulge, "Bulge"},
+                                                        {R::irregularity, "Irregularity (layer frozen)"},
                                                         {R::detail, "Detail"},
+                                                        {R::hidden, "Hidden"},
                                                         {R::completed, "Completed"},
                                                         {R::occluded, "Not seen"},
                                                         {R::possible, "Possible opening, not seen"},
-                                                        {R::error, "Error (layer frozen)"}}) {
+                                                        {R::error, "Error (layer frozen)"},
+                                                        {R::ground, "Foot of the wall"}}) {
     const auto is_drawn = [&, r = role](const auto& piece) { return piece.role == r; };
     if (std::any_of(drawing.lines.begin(), drawing.lines.end(), is_drawn) ||
         std::any_of(drawing.arcs.begin(), drawing.arcs.end(), is_drawn))
@@ -172,18 +177,21 @@ Drawing facade_drawing(const Facade& facade, const FacadeDrawingParams& params) 
   const double m = params.metres_per_unit;
   std::vector<FlatElement> flat;
   for (const FacadeElement& e : facade.elements) flat.push_back(flat_element(facade, e, params.metres_per_unit));
-  for (std::size_t i = 0; i < flat.size(); ++i) draw_element(facade.elements[i], flat[i], drawing);
+  draw_elements(facade, flat, m, drawing);
   add_errors(flat, facade, drawing);
   drop_repeated_lines(drawing);
-  const auto legend = legend_of(drawing);
+  add_ground(facade, flat, drawing);
+  const auto legend = legend_of(flattened(drawing));
   const FlatBox plan = box_of(flat);
   add_numbers(facade, flat, drawing);
   add_levels(facade, flat, plan, drawing);
   add_dimensions(facade, flat, plan, drawing);
+  add_section_marks(facade, named_sections(facade, params.sections, m), plan, m, drawing);
   add_sheet({drawing.title,
              {fmt::format("Facade {}", facade.id), "Scale 1:" + decimal(params.scale, params.scale < 1 ? 2 : 0)},
              placed_reference(facade, params, m),
-             legend},
+             legend,
+             north_of(facade.right.x, facade.right.y)},
             drawing);
   return drawing;
 }
@@ -198,16 +206,18 @@ Drawing row_drawing(std::span<const Facade> houses, const FacadeDrawingParams& p
   drawing.title = either(params.title, "Row of facades");
   std::vector<FlatElement> flat;
   for (const FacadeElement& e : row.elements) flat.push_back(flat_element(row, e, m));
-  for (std::size_t i = 0; i < flat.size(); ++i) draw_element(row.elements[i], flat[i], drawing);
+  draw_elements(row, flat, m, drawing);
+  add_ground(row, flat, drawing);
   drop_repeated_lines(drawing);
-  const auto legend = legend_of(drawing);
+  const auto legend = legend_of(flattened(drawing));
   const FlatBox plan = box_of(flat);
   add_levels(row, flat, plan, drawing);
   add_house_texts(houses, row, m, plan.min.y, drawing);
   add_sheet({drawing.title,
              {fmt::format("{} facades", houses.size()), "Scale 1:" + decimal(own.scale, own.scale < 1 ? 2 : 0)},
              placed_reference(row, own, m),
-             legend},
+             legend,
+             north_of(row.right.x, row.right.y)},
             drawing);
   return drawing;
 }

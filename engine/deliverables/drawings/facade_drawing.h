@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/deliverables/drawings/drawing.h"
+#include "engine/deliverables/drawings/named_sections.h"
 #include "engine/model/facade.h"
 
 namespace ilot {
@@ -18,6 +19,7 @@ struct FacadeDrawingParams {
   std::string heights;         // their datum; empty: the sheet says that the heights are those of the points
   std::string data_date;       // of the scan, not of the run; empty: the sheet says that it is unknown
   std::string source;          // of the points
+  SectionRequests sections;    // where they are cut is marked
 };
 
 // Returns everything that is drawn of a facade: elements with real arcs by kind and status, hatched shadows, the plan

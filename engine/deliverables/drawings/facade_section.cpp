@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/deliverables/drawings/drawing_sheet.h"
+#include "engine/deliverables/drawings/facade_marks.h"
 #include "engine/deliverables/drawings/facade_plan.h"
 #include "engine/deliverables/solids/facade_solids.h"
 #include "engine/error.h"
@@ -140,7 +141,8 @@ Drawing section_drawing(const Facade& facade, const SectionPlane& plane, std::sp
   add_sheet({drawing.title,
              {fmt::format("Facade {}", facade.id), where, "Scale 1:" + decimal(params.scale, params.scale < 1 ? 2 : 0)},
              facade_reference(facade, params, place_of(plane, metres)),
-             legend},
+             legend,
+             std::abs(plane.v.z) < 0.5 ? std::optional<double>(north_of(plane.u.x, plane.u.y)) : std::nullopt},
             drawing);
   return drawing;
 }
