@@ -176,6 +176,18 @@ void DxfEntities::add_image(const DrawingImage& image) {
   tags_.point(14, wide - 0.5, high - 0.5);
 }
 
+void DxfEntities::add_paper(const FlatBox& sheet) {
+  if (!(sheet.width() > 0 && sheet.height() > 0)) return;
+  begin_on("LWPOLYLINE", handle_++, kDxfViewLayerName);
+  tags_.add(100, "AcDbPolyline");
+  tags_.add(90, 4);
+  tags_.add(70, 1);
+  tags_.number(43, 0);
+  for (const FlatPoint& p :
+       {sheet.min, FlatPoint{sheet.max.x, sheet.min.y}, sheet.max, FlatPoint{sheet.min.x, sheet.max.y}})
+    tags_.point(10, p.x, p.y);
+}
+
 void DxfEntities::viewport(unsigned handle, int number, const FlatBox& box, FlatPoint middle, double height) {
   begin_on("VIEWPORT", handle, kDxfViewLayerName);
   tags_.add(100, "AcDbViewport");

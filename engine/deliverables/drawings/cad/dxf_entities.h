@@ -41,6 +41,8 @@ class DxfEntities {
   // What a block says of its attributes. The block's own place is the origin.
   void add_definitions(const DrawingBlock& block, double height);
   void add_dimension(const DrawingDimension& dimension, const std::string& block);
+  // The edge of the paper, on a layer that is never printed: a print of everything has the scale of the sheet.
+  void add_paper(const FlatBox& sheet);
   void add_image(const DrawingImage& image);
   // The view of the paper itself, and a viewport that shows the whole sheet of the drawing at its scale, in millimetres
   // of paper.

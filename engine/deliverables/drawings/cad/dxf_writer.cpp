@@ -166,6 +166,7 @@ std::string model_entities(const Drawing& drawing, const DrawingLayers& layers, 
   for (const DrawingArc& arc : drawing.arcs) entities.add(arc);
   for (const DrawingPoint& point : drawing.points) entities.add(point);
   for (const DrawingText& text : drawing.texts) entities.add(text);
+  entities.add_paper(drawing.sheet);
   return entities.text() + blocks.references();
 }
 

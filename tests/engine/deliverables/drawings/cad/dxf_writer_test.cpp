@@ -45,7 +45,9 @@ TEST(DxfWriter, ReadsBack) {
   EXPECT_EQ(read.units, 6);
   EXPECT_TRUE(read.has_end);
   EXPECT_EQ(read.layers.size(), kDrawingRoles + 2);  // and 0 and that of viewports
-  ASSERT_EQ(read.entities.size(), 5u);
+  ASSERT_EQ(read.entities.size(), 6u);
+  EXPECT_EQ(read.entities[5].layer, "Defpoints");  // the edge of the paper
+  EXPECT_EQ(read.entities[5].corners.at(2).x, 10);
   const DxfEntity& door = read.entities[0];
   EXPECT_EQ(door.layer, "A-ELEV-OPNG");
   EXPECT_TRUE(door.closed);
@@ -141,7 +143,7 @@ TEST(DxfWriter, GdalReadsItAndItsArcs) {
     feature->GetGeometryRef()->getEnvelope(&box);
     if (feature->GetFieldAsString("Layer") == std::string("FAC-OPENING")) highest = box.MaxY;
   }
-  EXPECT_EQ(layers.size(), 5u);
+  EXPECT_EQ(layers.size(), 6u);
   EXPECT_EQ(layers["FAC-TEXT"], 1);
   EXPECT_NEAR(highest, 4, 1e-3);
 }
