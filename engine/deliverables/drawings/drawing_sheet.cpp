@@ -74,10 +74,11 @@ double bar_metres(const Drawing& drawing, double most_mm) {
   }
 }
 
-std::string short_number(double value) {
+std::string short_number(double value, bool comma) {
   std::string text = decimal(value, 2);
   while (text.back() == '0') text.pop_back();
   if (text.back() == '.') text.pop_back();
+  if (comma) std::replace(text.begin(), text.end(), '.', ',');
   return text;
 }
 
@@ -91,7 +92,7 @@ void scale_bar(PaperPen& pen, const Drawing& drawing, double x, double y, double
     if (i % 2 == 0) pen.line(from, y + 0.6, to, y + 0.6, DrawingRole::title);
   }
   pen.text(x, y + 1.9, kPlain, 10, "0");
-  pen.text(x + mm, y + 1.9, kPlain, 20, short_number(metres) + " m", TextAnchor::middle);
+  pen.text(x + mm, y + 1.9, kPlain, 20, short_number(metres, drawing.decimal_comma) + " m", TextAnchor::middle);
 }
 
 // An arrow to grid north in a circle. The line across it is the plane of the drawing, which is seen from below.

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "engine/deliverables/drawings/dimension_style.h"
+#include "engine/deliverables/drawings/sheet_texts.h"
 
 namespace ilot {
 namespace {
@@ -18,8 +19,8 @@ constexpr double kSameLevel = 0.5;
 
 // Returns metres with two decimals. Halves are rounded up; a value within a tenth of a millimetre of a half counts as a
 // half.
-std::string in_centimetres(double metres) {
-  return decimal(std::floor(std::round(metres * 1e4) / 100 + 0.5) / 100, 2);
+std::string in_centimetres(double metres, const Drawing& drawing) {
+  return number_text(std::floor(std::round(metres * 1e4) / 100 + 0.5) / 100, 2, drawing.decimal_comma);
 }
 
 // Tells whether the segment meets the box, by clipping it to the four sides.
@@ -146,7 +147,7 @@ class ChainPen {
     bool raised = false;
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
       const double length = stops[i + 1] - stops[i];
-      const std::string words = in_centimetres(length);
+      const std::string words = in_centimetres(length, drawing_);
       // A text that is longer than its stretch is put farther out, on a line of its own.
       const bool narrow = text_width(words, height) + 2 * tick > length;
       raised = narrow && !raised;
@@ -227,7 +228,7 @@ void add_numbers(const Facade& facade, std::span<const FlatElement> flat, Drawin
     const FacadeElement& e = facade.elements[i];
     if (!is_numbered(e) || flat[i].corners.size() < 3) continue;
     const std::string id = std::to_string(e.id);
-    const std::string size = in_centimetres(e.width_m) + " x " + in_centimetres(e.height_m);
+    const std::string size = in_centimetres(e.width_m, drawing) + " x " + in_centimetres(e.height_m, drawing);
     std::vector<std::pair<double, std::vector<std::string>>> tries{{kNumber, {id}}, {kSmall, {id}}};
     if (is_opening(e) && e.width_m > 0 && e.height_m > 0) tries.insert(tries.begin(), {kSmall, {id, size}});
     for (const auto& [mm, lines] : tries) {
@@ -270,7 +271,7 @@ void add_levels(const Facade& facade, std::span<const FlatElement> flat, const F
          {{x0, levels[i]}, {x0 + lead, levels[i]}, {x0 + 2 * lead, places[i]}, {x0 + 2.5 * lead, places[i]}},
          false});
     drawing.texts.push_back({DrawingRole::level, x0 + 2.7 * lead, places[i] - height / 2, height, 0, TextAnchor::left,
-                             in_centimetres(levels[i])});
+                             in_centimetres(levels[i], drawing)});
   }
 }
 

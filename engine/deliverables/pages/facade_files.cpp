@@ -29,7 +29,7 @@ void write_drawing(const std::filesystem::path& folder, const std::string& name,
 
 void write_sections(const std::filesystem::path& folder, const Facade& facade, const FacadeFilesParams& params) {
   const double metres = params.drawing.metres_per_unit, cell = kPointCellMm * params.drawing.scale / 1000;
-  const std::vector<NamedSection> sections = named_sections(facade, params.sections, metres);
+  const std::vector<NamedSection> sections = named_sections(facade, params.sections, metres, params.drawing.language);
   if (sections.empty()) return;
   const std::vector<SectionFace> faces = facade_faces(facade, metres);
   std::vector<SectionPoints> points;
