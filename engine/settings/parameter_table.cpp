@@ -230,6 +230,8 @@ Parameters facades_parameters() {
       with_choices(make("facades.layers", ILOT_FIELD(facades.layers), {}, "",
                         "whose layers drawings have; ilot draw takes an office's own"),
                    kLayerNames),
+      with_choices(make("facades.language", ILOT_FIELD(facades.language), {}, "", "language of the texts of drawings"),
+                   kSheetLanguageNames),
       make("facades.sections", ILOT_FIELD(facades.sections), {-1e6, 1e6}, "CRS units",
            "heights that facades are also cut at"),
       make("facades.upright_sections", ILOT_FIELD(facades.upright_sections), {-1e4, 1e4}, "m",

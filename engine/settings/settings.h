@@ -64,4 +64,9 @@ constexpr std::span<const std::string_view> names_of(LayerNames) {
   return kLayerNames;
 }
 
+constexpr std::array<std::string_view, 4> kSheetLanguageNames{"en", "fr", "de", "nl"};
+constexpr std::span<const std::string_view> names_of(SheetLanguage) {
+  return kSheetLanguageNames;
+}
+
 }  // namespace ilot

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "engine/deliverables/drawings/dxf_reader.h"
+#include "engine/deliverables/drawings/cad/dxf_reader.h"
 #include "engine/validity/validate_las.h"
 
 namespace ilot {

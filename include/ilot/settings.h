@@ -119,20 +119,24 @@ struct StreetsSettings {
 // Whose names the layers of drawings have.
 enum class LayerNames : std::uint8_t { ilot, aia, iso13567 };
 
+// Of the texts of drawings.
+enum class SheetLanguage : std::uint8_t { english, french, german, dutch };
+
 struct FacadesSettings {
-  double least_width = 2, least_height = 2;  // metres; of a facade
-  double bias = 0.03;                        // metres; walls whose planes differ by less are one facade
-  double gap = 3;                            // metres between two parts of one facade
-  double relief = 1.5;                       // metres; what stands so far before a facade belongs to it
-  double least_opening = 0.3;                // metres; width and height of a window
-  double alike = 0.04;                       // metres; what differs by less may have been meant equal
-  bool regularise = true;                    // rows, columns and families line up within their errors
-  double scale = 50;                         // of drawings, 1 : scale
-  LayerNames layers = LayerNames::ilot;      // of drawings
-  std::vector<double> sections;              // heights, CRS units, that facades are also cut at
-  std::vector<double> upright_sections;      // metres from the left end of each, upright cuts
-  std::vector<double> section_lines;         // x0, y0, x1, y1 of each, CRS units, upright cuts
-  std::vector<int> side;                     // numbers of facades that are drawn from their other side
+  double least_width = 2, least_height = 2;         // metres; of a facade
+  double bias = 0.03;                               // metres; walls whose planes differ by less are one facade
+  double gap = 3;                                   // metres between two parts of one facade
+  double relief = 1.5;                              // metres; what stands so far before a facade belongs to it
+  double least_opening = 0.3;                       // metres; width and height of a window
+  double alike = 0.04;                              // metres; what differs by less may have been meant equal
+  bool regularise = true;                           // rows, columns and families line up within their errors
+  double scale = 50;                                // of drawings, 1 : scale
+  LayerNames layers = LayerNames::ilot;             // of drawings
+  SheetLanguage language = SheetLanguage::english;  // of drawings
+  std::vector<double> sections;                     // heights, CRS units, that facades are also cut at
+  std::vector<double> upright_sections;             // metres from the left end of each, upright cuts
+  std::vector<double> section_lines;                // x0, y0, x1, y1 of each, CRS units, upright cuts
+  std::vector<int> side;                            // numbers of facades that are drawn from their other side
   AdvancedFacades advanced;
 };
 

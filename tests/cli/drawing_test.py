@@ -28,8 +28,16 @@ for path in sys.argv[1:]:
                  "units": read.header["$INSUNITS"], "layers": [l.dxf.name for l in read.layers],
                  "frozen": [l.dxf.name for l in read.layers if l.is_frozen()],
                  "texts": [decode_dxf_unicode(t.plain_text()) for t in read.modelspace().query("TEXT")],
-                 "closed": [[list(p) for p in e.get_points("xyb")] for e in read.modelspace().query("LWPOLYLINE")
-                            if e.closed and e.dxf.layer == "FAC-OPENING"],
+                 "closed": [[list(p) for p in e.get_points("xyb")] for i in read.modelspace().query("INSERT")
+                            for e in i.virtual_entities() if e.dxftype() == "LWPOLYLINE" and e.closed
+                            and e.dxf.layer == "FAC-OPENING"],
+                 "schedule": [{a.dxf.tag: a.dxf.text for a in i.attribs} for i in read.modelspace().query("INSERT")],
+                 "dimensions": [[d.get_measurement(), len(read.blocks.get(d.dxf.geometry)), d.dxf.dimstyle]
+                                for d in read.modelspace().query("DIMENSION")],
+                 "images": [[i.image_def.dxf.filename, i.dxf.u_pixel.x * i.dxf.image_size.x]
+                            for i in read.modelspace().query("IMAGE")],
+                 "views": [[v.dxf.height, v.dxf.view_height, read.layout("Sheet").dxf.paper_width, v.dxf.width]
+                           for v in read.layout("Sheet").query("VIEWPORT") if v.dxf.id > 1],
                  "overridden": len([e for e in read.modelspace() if e.dxf.hasattr("color") and e.dxf.layer != "FAC-TITLE"])})
 print(json.dumps(told))
 """
@@ -93,15 +101,44 @@ def check_audits(python, drawings):
     for path, read in zip(drawings, json.loads(completed.stdout)):
         expect(read["errors"] == 0 and read["fixes"] == 0, f"{path}: ezdxf has {read['errors']} errors, {read['fixes']} fixes")
         expect(read["units"] == 6, f"{path}: units {read['units']}")
-        expect(read["frozen"] == ["FAC-ERROR"], f"{path}: frozen {read['frozen']}")
+        expect(sorted(read["frozen"]) == ["FAC-ERROR", "FAC-IRREGULAR"], f"{path}: frozen {read['frozen']}")
         expect(read["overridden"] == 0, f"{path}: {read['overridden']} entities do not take the colour of their layer")
     first = json.loads(completed.stdout)[0]
+    check_structure(first)
     expect(HOSTILE[0] in first["texts"], f"the title came back as {first['texts'][-15:]}")
     expect(len(first["closed"]) == 1, f"{len(first['closed'])} closed openings are drawn; only one is seen whole")
     expect(abs(first["closed"][0][2][2] - 1) < 1e-3, "the arch is no half circle")
     expect(any("1.20 x 2.00" in text for text in first["texts"]), "no size of a window")
     sequences = json.loads(completed.stdout)[4]["texts"]
     expect("a^Ib^J" in sequences, f"a caret came back as {[t for t in sequences if t.startswith('a')]}")
+
+
+def check_structure(read):
+    """Dimensions, schedule and sheet of the first drawing, at 1 : 20, as ezdxf understands them."""
+    for measured, pieces, style in read["dimensions"]:
+        expect(measured > 0 and pieces == 6 and style == "ILOT", f"a dimension of {measured} with {pieces} pieces in {style}")
+    expect(any(abs(measured - 1.2) < 1e-4 for measured, _, _ in read["dimensions"]), "no dimension measures a window")
+    expect(len(read["schedule"]) == 2, f"{len(read['schedule'])} openings in the schedule, one of three was not seen")
+    window = read["schedule"][0]
+    expect(window["ID"] == "1" and window["WIDTH"] == "1.200" and window["ERROR"] == "4.0", f"the schedule has {window}")
+    expect(len(read["views"]) == 1, f"{len(read['views'])} viewports")
+    height, view_height, paper_width, width = read["views"][0]
+    expect(abs(view_height * 1000 / height - 20) < 1e-3, f"the viewport has a scale of 1 : {view_height * 1000 / height}")
+    expect(abs(paper_width - width) < 0.1, f"the viewport is {width} mm wide on paper of {paper_width}")
+
+
+def check_image(python, folder):
+    """The orthoimage is under the drawing, by its name alone, as large as the .pgw says."""
+    cloud = folder / "wall.txt"
+    cloud.write_text("".join(f"{651000 + 0.05 * i} 6861000 {0.05 * k} {i % 256} {k} 9\n" for i in range(180) for k in range(100)))
+    done = run("draw", folder / "in.json", "-o", folder / "under", "--cloud", cloud)
+    expect(done.returncode == 0, f"draw with a cloud: {done.stderr}")
+    completed = subprocess.run([python, "-c", AUDIT, folder / "under/facade-001.dxf"], capture_output=True, text=True)
+    expect(completed.returncode == 0, "ezdxf: " + completed.stderr)
+    read = json.loads(completed.stdout)[0]
+    expect(read["errors"] == 0 and read["fixes"] == 0, f"with an image ezdxf has {read['errors']} errors")
+    expect([name for name, _ in read["images"]] == ["facade-001.png"], f"images {read['images']}")
+    expect(abs(read["images"][0][1] - 8.7) < 0.2, f"the image is {read['images'][0][1]} m wide")
 
 
 def check_gdal(drawing):
@@ -156,6 +193,7 @@ def main():
             print("drawing_test: SKIPPED: no Python with ezdxf (apt install python3-ezdxf); the audit was not made")
             sys.exit(77)
         check_audits(python, drawings)
+        check_image(python, folder)
         print(f"{len(drawings)} drawings audited")
 
 

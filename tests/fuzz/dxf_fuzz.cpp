@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "engine/compare/facades/drawing_control.h"
-#include "engine/deliverables/drawings/dxf_reader.h"
+#include "engine/deliverables/drawings/cad/dxf_reader.h"
 #include "engine/error.h"
 #include "engine/validity/validate_drawing.h"
 

@@ -3,9 +3,9 @@
 // read again too.
 #include <cstdint>
 
+#include "engine/deliverables/drawings/cad/dxf_reader.h"
+#include "engine/deliverables/drawings/cad/dxf_writer.h"
 #include "engine/deliverables/drawings/drawing_svg.h"
-#include "engine/deliverables/drawings/dxf_reader.h"
-#include "engine/deliverables/drawings/dxf_writer.h"
 #include "engine/deliverables/drawings/facade_drawing.h"
 #include "engine/deliverables/drawings/facade_section.h"
 #include "engine/deliverables/solids/facade_solids.h"

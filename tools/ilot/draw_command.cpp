@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <set>
@@ -10,6 +11,7 @@
 #include "engine/deliverables/tables/facade_json.h"
 #include "engine/error.h"
 #include "engine/proof/point_stream.h"
+#include "engine/settings/settings.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
 #include "tools/render/colours.h"
@@ -22,7 +24,7 @@ struct DrawArguments {
   std::string output, layers = "ilot";
   FacadeDrawingParams drawing;
   SectionRequests sections;
-  std::string cloud, frame;
+  std::string cloud, frame, language = "en";
 };
 
 constexpr std::size_t kBatch = 1u << 16;  // points
@@ -76,6 +78,8 @@ int draw_command(const DrawArguments& given) {
   FacadeFilesParams params;
   params.layers = read_layers(given.layers);
   params.drawing = given.drawing;
+  const auto language = std::find(kSheetLanguageNames.begin(), kSheetLanguageNames.end(), given.language);
+  params.drawing.language = static_cast<SheetLanguage>(language - kSheetLanguageNames.begin());
   params.sections = given.sections;
   check_section_lines(given.sections.lines);
   std::vector<Facade> facades;
@@ -116,6 +120,9 @@ void add_draw_command(CLI::App& app, Action& action) {
       ->option_text("M")
       ->check(CLI::Range(0.001, 1000.0));
   command->add_option("--title", given->drawing.title, "of the sheet [Elevation]")->option_text("TEXT");
+  command->add_option("--language", given->language, "of the texts: en, fr, de, nl [en]")
+      ->option_text("NAME")
+      ->check(CLI::IsMember({"en", "fr", "de", "nl"}));
   command->add_option("--crs-name", given->drawing.crs_name, "written beside the CRS [none]")->option_text("TEXT");
   command->add_option("--heights", given->drawing.heights, "what heights refer to [not stated]")->option_text("TEXT");
   command->add_option("--date", given->drawing.data_date, "of the scan [not stated]")->option_text("TEXT");

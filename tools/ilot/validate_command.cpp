@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "engine/deliverables/drawings/dxf_reader.h"
+#include "engine/deliverables/drawings/cad/dxf_reader.h"
 #include "engine/deliverables/solids/solid_file.h"
 #include "engine/error.h"
 #include "engine/run/inputs.h"

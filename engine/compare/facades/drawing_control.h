@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/compare/facades/control_points.h"
+#include "engine/deliverables/drawings/cad/dxf_reader.h"
 #include "engine/deliverables/drawings/drawing_layers.h"
-#include "engine/deliverables/drawings/dxf_reader.h"
 
 namespace ilot {
 

@@ -70,9 +70,9 @@ std::vector<DrawingCorner> reversed(const std::vector<DrawingCorner>& corners) {
 
 const char* name_of(DrawingRole role) {
   constexpr std::array<const char*, kDrawingRoles> kNames{
-      "outline", "opening",   "sill",      "lintel",   "balcony", "band",          "bulge", "stone",
-      "joint",   "detail",    "completed", "occluded", "shadow",  "possible",      "error", "number",
-      "level",   "dimension", "frame",     "title",    "section", "section_points"};
+      "outline", "opening", "sill",      "lintel",    "balcony",  "band",   "bulge",    "irregularity",   "stone",
+      "joint",   "detail",  "hidden",    "completed", "occluded", "shadow", "possible", "error",          "ground",
+      "number",  "level",   "dimension", "mark",      "frame",    "title",  "section",  "section_points", "image"};
   return kNames.at(static_cast<std::size_t>(role));
 }
 
@@ -80,7 +80,23 @@ double text_width(const std::string& text, double height) {
   return kDigitWidth * height * static_cast<double>(code_points(clean_text(text)).size());
 }
 
+Drawing flattened(const Drawing& drawing) {
+  Drawing flat = drawing;
+  flat.blocks.clear();
+  flat.dimensions.clear();
+  for (const DrawingBlock& block : drawing.blocks) {
+    flat.lines.insert(flat.lines.end(), block.lines.begin(), block.lines.end());
+    flat.arcs.insert(flat.arcs.end(), block.arcs.begin(), block.arcs.end());
+  }
+  for (const DrawingDimension& dimension : drawing.dimensions) {
+    flat.lines.insert(flat.lines.end(), dimension.lines.begin(), dimension.lines.end());
+    flat.texts.push_back(dimension.text);
+  }
+  return flat;
+}
+
 FlatBox extent_of(const Drawing& drawing) {
+  if (!drawing.blocks.empty() || !drawing.dimensions.empty()) return extent_of(flattened(drawing));
   FlatBox extent = FlatBox::none();
   const auto add_disc = [&](double x, double y, double radius) {
     extent.add({x - radius, y - radius});

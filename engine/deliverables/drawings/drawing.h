@@ -4,6 +4,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,24 +21,29 @@ enum class DrawingRole : std::uint8_t {
   lintel,
   balcony,
   band,
-  bulge,
+  bulge,         // relief that is nothing of what is named here
+  irregularity,  // where the wall is not even
   stone,
   joint,
   detail,     // elements of other kinds
+  hidden,     // lines behind an element that stands before them
   completed,  // drawn although it has no points of its own
   occluded,   // edges in a laser shadow
   shadow,     // hatching of places in a laser shadow
   possible,   // rectangles that nobody saw and that may be openings
   error,      // the plan widened by each edge's error
+  ground,
   number,
   level,
   dimension,
+  mark,  // where sections are cut, and north
   frame,
   title,
   section,         // surfaces that are cut
   section_points,  // points near the cut
+  image,           // the orthoimage under the drawing
 };
-constexpr std::size_t kDrawingRoles = 22;
+constexpr std::size_t kDrawingRoles = 27;
 
 // Returns "outline", "opening" and so on, as mapping files name them.
 const char* name_of(DrawingRole role);
@@ -77,23 +83,62 @@ struct DrawingText {
   std::string text;  // UTF-8, one line
 };
 
+// A distance along x or y that is written on the drawing. CAD programs measure it again when it is edited.
+struct DrawingDimension {
+  FlatPoint from, to;    // the places that are measured
+  bool upright = false;  // along y; else along x
+  double at = 0;         // y of the line of the dimension; its x when it is upright
+  DrawingText text;
+  std::vector<DrawingLine> lines;  // its picture, without the text
+};
+
+// What a schedule of openings has of one of them.
+struct DrawingAttribute {
+  std::string tag, value;  // the tag consists of capitals: "WIDTH"
+};
+
+// Pieces that belong together, an opening: a block with attributes where the format has blocks. Its pieces are at their
+// places in the drawing.
+struct DrawingBlock {
+  std::string kind;  // "window"
+  FlatPoint place;
+  std::vector<DrawingLine> lines;
+  std::vector<DrawingArc> arcs;
+  std::vector<DrawingAttribute> attributes;
+};
+
+// A raster under the drawing. The file is named as seen from the drawing's folder.
+struct DrawingImage {
+  std::string file;
+  std::uint32_t width = 0, height = 0;  // pixels
+  FlatBox place;
+};
+
 struct Drawing {
   std::string title;
-  double scale = 50;  // 1 : scale on paper
-  FlatBox sheet;      // paper, in metres of the drawing
+  double scale = 50;           // 1 : scale on paper
+  FlatBox sheet;               // paper, in metres of the drawing
+  bool decimal_comma = false;  // of measured lengths
   std::vector<DrawingLine> lines;
   std::vector<DrawingArc> arcs;
   std::vector<DrawingPoint> points;
   std::vector<DrawingText> texts;
+  std::vector<DrawingDimension> dimensions;
+  std::vector<DrawingBlock> blocks;
+  std::optional<DrawingImage> image;
 
   // Returns the length in the drawing, in metres, of a length on paper in millimetres.
   double paper_mm(double mm) const { return mm * scale / 1000; }
 };
 
+// Returns the drawing with the pieces of its dimensions and blocks among its own lines, arcs and texts.
+Drawing flattened(const Drawing& drawing);
+
 // Returns the width of a line of text, in the unit of its height. The digits of the fonts in use are 0.78 heights wide.
 double text_width(const std::string& text, double height);
 
-// Returns the box around the lines, arcs, points and texts of a drawing. It is all zero when the drawing has none.
+// Returns the box around the lines, arcs, points, texts, dimensions and blocks of a drawing. It is all zero when the
+// drawing has none.
 FlatBox extent_of(const Drawing& drawing);
 
 // The key is equal for lines that coincide to a hundredth of a millimetre. The corner at which a closed line begins and

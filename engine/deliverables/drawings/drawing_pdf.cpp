@@ -167,7 +167,8 @@ std::string file_of(const std::vector<std::string>& objects) {
 
 }  // namespace
 
-std::string drawing_pdf(const Drawing& drawing, const DrawingLayers& layers) {
+std::string drawing_pdf(const Drawing& whole, const DrawingLayers& layers) {
+  const Drawing drawing = flattened(whole);
   constexpr std::size_t kFirstLayer = 7;  // number of the object of the first layer
   const PdfPlace at{drawing.sheet, drawing.paper_mm(1)};
   std::string content = decimal(kPointsPerMm, 6) + " 0 0 " + decimal(kPointsPerMm, 6) + " 0 0 cm 1 J 1 j\n";

@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "kernels/core/portable_math.h"
+
 namespace ilot {
 namespace {
 
@@ -48,6 +50,9 @@ class PaperPen {
   void box(double ax, double ay, double bx, double by, DrawingRole role) {
     drawing_.lines.push_back({role, {{x(ax), y(ay)}, {x(bx), y(ay)}, {x(bx), y(by)}, {x(ax), y(by)}}, true});
   }
+  void circle(double ax, double ay, double radius, DrawingRole role) {
+    drawing_.lines.push_back({role, {{x(ax - radius), y(ay), 1}, {x(ax + radius), y(ay), 1}}, true});
+  }
   void text(double ax, double ay, double height, double room, const std::string& words,
             TextAnchor anchor = TextAnchor::left) {
     add_fitting_text({DrawingRole::title, x(ax), y(ay), drawing_.paper_mm(height), 0, anchor, words},
@@ -69,10 +74,11 @@ double bar_metres(const Drawing& drawing, double most_mm) {
   }
 }
 
-std::string short_number(double value) {
+std::string short_number(double value, bool comma) {
   std::string text = decimal(value, 2);
   while (text.back() == '0') text.pop_back();
   if (text.back() == '.') text.pop_back();
+  if (comma) std::replace(text.begin(), text.end(), '.', ',');
   return text;
 }
 
@@ -86,7 +92,24 @@ void scale_bar(PaperPen& pen, const Drawing& drawing, double x, double y, double
     if (i % 2 == 0) pen.line(from, y + 0.6, to, y + 0.6, DrawingRole::title);
   }
   pen.text(x, y + 1.9, kPlain, 10, "0");
-  pen.text(x + mm, y + 1.9, kPlain, 20, short_number(metres) + " m", TextAnchor::middle);
+  pen.text(x + mm, y + 1.9, kPlain, 20, short_number(metres, drawing.decimal_comma) + " m", TextAnchor::middle);
+}
+
+// An arrow to grid north in a circle. The line across it is the plane of the drawing, which is seen from below.
+void north_arrow(PaperPen& pen, double x, double y, double north_deg) {
+  constexpr double kRadius = 4.5, kHead = 1.4;
+  const auto at = [&](double along, double aside) {
+    const double c = cos_degrees(north_deg), s = cos_degrees(north_deg - 90);
+    return FlatPoint{x + along * c - aside * s, y + along * s + aside * c};
+  };
+  const FlatPoint tail = at(-kRadius, 0), head = at(kRadius, 0), left = at(kRadius - 2 * kHead, kHead),
+                  right = at(kRadius - 2 * kHead, -kHead), letter = at(kRadius + 1.6, 0);
+  pen.circle(x, y, kRadius, DrawingRole::title);
+  pen.line(x - kRadius, y, x + kRadius, y, DrawingRole::title);
+  pen.line(tail.x, tail.y, head.x, head.y, DrawingRole::title);
+  pen.line(left.x, left.y, head.x, head.y, DrawingRole::title);
+  pen.line(right.x, right.y, head.x, head.y, DrawingRole::title);
+  pen.text(letter.x, letter.y - kPlain / 2, kPlain, 5, "N", TextAnchor::middle);
 }
 
 void title_block(PaperPen& pen, const SheetText& text, const Drawing& drawing, double x, double y) {
@@ -95,10 +118,13 @@ void title_block(PaperPen& pen, const SheetText& text, const Drawing& drawing, d
   for (const double column : {kFirst, kSecond})
     pen.line(x + column, y, x + column, y + kBlockHeight, DrawingRole::frame);
   const double top = y + kBlockHeight;
-  pen.text(x + kPad, top - 6.5, kTitle, kFirst - 2 * kPad, text.title);
+  constexpr double kArrow = 14;  // room of the arrow to north
+  const double room = kFirst - 2 * kPad - (text.north_deg ? kArrow : 0);
+  if (text.north_deg) north_arrow(pen, x + kFirst - kArrow / 2 - 1, top - 12, *text.north_deg);
+  pen.text(x + kPad, top - 6.5, kTitle, room, text.title);
   double line = top - 12;
   for (const std::string& words : text.subject) {
-    pen.text(x + kPad, line, 2.5, kFirst - 2 * kPad, words);
+    pen.text(x + kPad, line, 2.5, room, words);
     line -= 4.6;
   }
   scale_bar(pen, drawing, x + kPad, y + 3, kFirst - 4 * kPad);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The paper around a drawing: a frame of a standard size, a title block, a scale bar and a legend of the pens.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct SheetText {
   std::vector<std::string> subject;    // under the title, largest first
   std::vector<std::string> reference;  // place, heights, date, accuracy, source: one line each
   std::vector<std::pair<DrawingRole, std::string>> legend;
+  std::optional<double> north_deg = {};  // where grid north is on the paper, from right towards up; none: no arrow
 };
 
 // Puts the drawing on the smallest sheet of A4 to A0, portrait or landscape, on which it fits at its scale with the

@@ -137,7 +137,7 @@ Drawing plan_of(const Drawing& drawing) {
 
 std::string drawing_svg(const Drawing& whole, const DrawingLayers& layers, SvgPart part,
                         const std::optional<SvgUnderlay>& underlay, std::span<const SvgNote> notes) {
-  const Drawing drawing = part == SvgPart::plan ? plan_of(whole) : whole;
+  const Drawing drawing = part == SvgPart::plan ? plan_of(flattened(whole)) : flattened(whole);
   const SvgPlace at{drawing.sheet, drawing.paper_mm(1)};
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\" "

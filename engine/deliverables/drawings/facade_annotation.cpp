@@ -7,17 +7,20 @@
 #include <string>
 #include <tuple>
 
+#include "engine/deliverables/drawings/dimension_style.h"
+#include "engine/deliverables/drawings/sheet_texts.h"
+
 namespace ilot {
 namespace {
 
 // Millimetres on paper.
-constexpr double kNumber = 2.5, kSmall = 1.8, kAround = 0.4, kTick = 0.8, kOffset = 9, kChain = 8, kLead = 4;
+constexpr double kNumber = 2.5, kSmall = 1.8, kAround = 0.4, kOffset = 9, kChain = 8, kLead = 4;
 constexpr double kSameLevel = 0.5;
 
 // Returns metres with two decimals. Halves are rounded up; a value within a tenth of a millimetre of a half counts as a
 // half.
-std::string in_centimetres(double metres) {
-  return decimal(std::floor(std::round(metres * 1e4) / 100 + 0.5) / 100, 2);
+std::string in_centimetres(double metres, const Drawing& drawing) {
+  return number_text(std::floor(std::round(metres * 1e4) / 100 + 0.5) / 100, 2, drawing.decimal_comma);
 }
 
 // Tells whether the segment meets the box, by clipping it to the four sides.
@@ -85,11 +88,8 @@ std::optional<FlatBox> place_label(const std::vector<std::string>& lines, double
 }
 
 bool is_numbered(const FacadeElement& e) {
-  return e.kind != "outline" && e.kind != "joint" && e.status != DrawnStatus::occluded;
-}
-
-bool is_opening(const FacadeElement& e) {
-  return e.opening || role_of_kind(e.kind) == DrawingRole::opening;
+  return e.kind != "outline" && e.kind != "joint" && e.status != DrawnStatus::occluded &&
+         e.region != FacadeRegion::irregularity;
 }
 
 struct Extent {
@@ -134,53 +134,55 @@ std::vector<double> stops_of(std::vector<Extent> extents, Extent whole, double l
   return stops;
 }
 
-// Draws a chain in its own axes, s along it and t across it away from the plan, in horizontal or vertical direction.
+// Draws a chain of dimensions in its own axes, s along it and t across it away from the plan, in horizontal or vertical
+// direction. The plan ends at `foot`.
 class ChainPen {
  public:
   enum class Way { horizontal, vertical };
-  ChainPen(Way way, double at, double outwards, Drawing& drawing)
-      : way_(way), at_(at), outwards_(outwards), drawing_(drawing) {}
+  ChainPen(Way way, double foot, double at, double outwards, Drawing& drawing)
+      : way_(way), foot_(foot), at_(at), outwards_(outwards), drawing_(drawing) {}
 
   void draw(const std::vector<double>& stops) {
-    const double tick = drawing_.paper_mm(kTick), height = drawing_.paper_mm(kSmall);
-    line(stops.front(), 0, stops.back(), 0);
-    for (const double stop : stops) {
-      line(stop, -2.5 * tick, stop, 1.5 * tick);
-      slanted(stop, tick);
-    }
+    const double tick = drawing_.paper_mm(kDimensionTick), height = drawing_.paper_mm(kDimensionText);
     bool raised = false;
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
       const double length = stops[i + 1] - stops[i];
-      const std::string words = in_centimetres(length);
+      const std::string words = in_centimetres(length, drawing_);
       // A text that is longer than its stretch is put farther out, on a line of its own.
       const bool narrow = text_width(words, height) + 2 * tick > length;
       raised = narrow && !raised;
-      text((stops[i] + stops[i + 1]) / 2, raised ? 2.0 * height : 0.45 * height, height, words);
+      dimension(stops[i], stops[i + 1], raised ? 2.0 * height : drawing_.paper_mm(kDimensionGap), words);
       if (!narrow) raised = false;
     }
   }
 
  private:
-  // Texts are above a horizontal chain and left of a vertical one, on either side of the plan.
-  FlatPoint place(double s, double t) const {
-    return way_ == Way::horizontal ? FlatPoint{s, at_ + t * outwards_} : FlatPoint{at_ + t * outwards_, s};
+  FlatPoint place(double s, double across) const {
+    return way_ == Way::horizontal ? FlatPoint{s, across} : FlatPoint{across, s};
   }
-  void line(double s0, double t0, double s1, double t1) {
-    const FlatPoint a = place(s0, t0), b = place(s1, t1);
-    drawing_.lines.push_back({DrawingRole::dimension, {{a.x, a.y}, {b.x, b.y}}, false});
-  }
-  void slanted(double s, double tick) {
-    const FlatPoint p = place(s, 0);
-    drawing_.lines.push_back({DrawingRole::dimension, {{p.x - tick, p.y - tick}, {p.x + tick, p.y + tick}}, false});
-  }
-  void text(double s, double above, double height, const std::string& words) {
+  void dimension(double from, double to, double above, const std::string& words) {
+    DrawingDimension made{place(from, foot_), place(to, foot_), way_ == Way::vertical, at_, {}, {}};
+    const auto line = [&](FlatPoint a, FlatPoint b) {
+      made.lines.push_back({DrawingRole::dimension, {{a.x, a.y}, {b.x, b.y}}, false});
+    };
+    line(place(from, at_), place(to, at_));
+    const double tick = drawing_.paper_mm(kDimensionTick);
+    for (const double stop : {from, to}) {
+      line(place(stop, foot_ + outwards_ * drawing_.paper_mm(kDimensionOffset)),
+           place(stop, at_ + outwards_ * drawing_.paper_mm(kDimensionBeyond)));
+      const FlatPoint p = place(stop, at_);
+      line({p.x - tick, p.y - tick}, {p.x + tick, p.y + tick});
+    }
+    // Texts are above a horizontal chain and left of a vertical one, on either side of the plan.
+    const double middle = (from + to) / 2, height = drawing_.paper_mm(kDimensionText);
     if (way_ == Way::horizontal)
-      drawing_.texts.push_back({DrawingRole::dimension, s, at_ + above, height, 0, TextAnchor::middle, words});
+      made.text = {DrawingRole::dimension, middle, at_ + above, height, 0, TextAnchor::middle, words};
     else
-      drawing_.texts.push_back({DrawingRole::dimension, at_ - above, s, height, 90, TextAnchor::middle, words});
+      made.text = {DrawingRole::dimension, at_ - above, middle, height, 90, TextAnchor::middle, words};
+    drawing_.dimensions.push_back(std::move(made));
   }
   Way way_;
-  double at_, outwards_;
+  double foot_, at_, outwards_;
   Drawing& drawing_;
 };
 
@@ -226,7 +228,7 @@ void add_numbers(const Facade& facade, std::span<const FlatElement> flat, Drawin
     const FacadeElement& e = facade.elements[i];
     if (!is_numbered(e) || flat[i].corners.size() < 3) continue;
     const std::string id = std::to_string(e.id);
-    const std::string size = in_centimetres(e.width_m) + " x " + in_centimetres(e.height_m);
+    const std::string size = in_centimetres(e.width_m, drawing) + " x " + in_centimetres(e.height_m, drawing);
     std::vector<std::pair<double, std::vector<std::string>>> tries{{kNumber, {id}}, {kSmall, {id}}};
     if (is_opening(e) && e.width_m > 0 && e.height_m > 0) tries.insert(tries.begin(), {kSmall, {id, size}});
     for (const auto& [mm, lines] : tries) {
@@ -269,7 +271,7 @@ void add_levels(const Facade& facade, std::span<const FlatElement> flat, const F
          {{x0, levels[i]}, {x0 + lead, levels[i]}, {x0 + 2 * lead, places[i]}, {x0 + 2.5 * lead, places[i]}},
          false});
     drawing.texts.push_back({DrawingRole::level, x0 + 2.7 * lead, places[i] - height / 2, height, 0, TextAnchor::left,
-                             in_centimetres(levels[i])});
+                             in_centimetres(levels[i], drawing)});
   }
 }
 
@@ -297,7 +299,10 @@ void add_dimensions(const Facade& facade, std::span<const FlatElement> flat, con
   };
   const auto rows = groups_along(up), columns = groups_along(across);
   const auto horizontal = [&](double at, double outwards, const std::vector<double>& stops) {
-    ChainPen(ChainPen::Way::horizontal, at, outwards, drawing).draw(stops);
+    ChainPen(ChainPen::Way::horizontal, outwards < 0 ? plan.min.y : plan.max.y, at, outwards, drawing).draw(stops);
+  };
+  const auto vertical = [&](double at, const std::vector<double>& stops) {
+    ChainPen(ChainPen::Way::vertical, plan.min.x, at, -1, drawing).draw(stops);
   };
   double below = plan.min.y - offset, left = plan.min.x - offset;
   std::vector<double> lowest;
@@ -307,12 +312,11 @@ void add_dimensions(const Facade& facade, std::span<const FlatElement> flat, con
     below -= step;
     const std::vector<double> stops = stops_of(picked(across, rows[fullest(rows)]), wide, least);
     if (stops != lowest) horizontal(plan.max.y + offset, 1, stops);
-    ChainPen(ChainPen::Way::vertical, left, -1, drawing)
-        .draw(stops_of(picked(up, columns[fullest(columns)]), tall, least));
+    vertical(left, stops_of(picked(up, columns[fullest(columns)]), tall, least));
     left -= step;
   }
   if (wide.high - wide.low > least) horizontal(below, -1, {wide.low, wide.high});
-  if (tall.high - tall.low > least) ChainPen(ChainPen::Way::vertical, left, -1, drawing).draw({tall.low, tall.high});
+  if (tall.high - tall.low > least) vertical(left, {tall.low, tall.high});
 }
 
 }  // namespace ilot

@@ -7,8 +7,11 @@
 #include <set>
 
 #include "engine/deliverables/drawings/drawing_sheet.h"
+#include "engine/deliverables/drawings/element_pieces.h"
 #include "engine/deliverables/drawings/facade_annotation.h"
+#include "engine/deliverables/drawings/facade_marks.h"
 #include "engine/deliverables/drawings/facade_plan.h"
+#include "engine/deliverables/drawings/sheet_texts.h"
 #include "engine/version.h"
 #include "kernels/core/portable_math.h"
 #include "kernels/core/quantile.h"
@@ -40,29 +43,17 @@ void drop_repeated_lines(Drawing& drawing) {
   });
 }
 
-std::string either(const std::string& known, const char* otherwise) {
+std::string either(const std::string& known, const std::string& otherwise) {
   return known.empty() ? otherwise : known;
 }
 
-std::vector<std::pair<DrawingRole, std::string>> legend_of(const Drawing& drawing) {
-  using R = DrawingRole;
-  std::vector<std::pair<R, std::string>> legend;
-  for (const auto& [role, words] :
-       std::initializer_list<std::pair<R, const char*>>{{R::outline, "Outline"},
-                                                        {R::opening, "Opening"},
-                                                        {R::sill, "Sill"},
-                                                        {R::lintel, "Lintel, surround"},
-                                                        {R::balcony, "Balcony"},
-                                                        {R::band, "Band, cornice"},
-                                                        {R::stone, "Stone"},
-                                                        {R::joint, "Joint"},
-                                                        {R::bulge, "Irregularity"},
-                                                        {R::detail, "Detail"},
-                                                        {R::completed, "Completed"},
-                                                        {R::occluded, "Not seen"},
-                                                        {R::possible, "Possible opening, not seen"},
-                                                        {R::error, "Error (layer frozen)"}}) {
-    const auto is_drawn = [&, r = role](const auto& piece) { return piece.role == r; };
+std::vector<std::pair<DrawingRole, std::string>> legend_of(const Drawing& drawing, SheetLanguage language) {
+  std::vector<std::pair<DrawingRole, std::string>> legend;
+  for (std::size_t i = 0; i < kDrawingRoles; ++i) {
+    const auto role = static_cast<DrawingRole>(i);
+    const char* words = legend_text(role, language);
+    if (words == nullptr) continue;
+    const auto is_drawn = [&](const auto& piece) { return piece.role == role; };
     if (std::any_of(drawing.lines.begin(), drawing.lines.end(), is_drawn) ||
         std::any_of(drawing.arcs.begin(), drawing.arcs.end(), is_drawn))
       legend.emplace_back(role, words);
@@ -104,15 +95,17 @@ double step_between(const Facade& left, const Facade& house, double metres_per_u
 }
 
 void add_house_texts(std::span<const Facade> houses, const Facade& row, double metres_per_unit, double below,
-                     Drawing& drawing) {
+                     SheetLanguage language, Drawing& drawing) {
   constexpr double kTextMm = 2.5, kLineMm = 4;
   for (std::size_t i = 0; i < houses.size(); ++i) {
     const Facade& house = houses[i];
     const FlatPoint at = flat_place(row, house.origin, metres_per_unit);
-    std::vector<std::string> lines{fmt::format("Facade {}", house.id), fmt::format("{} m", decimal(house.width_m, 2))};
+    std::vector<std::string> lines{phrase(language, SheetPhrase::facade, house.id),
+                                   number_text(house.width_m, 2, drawing.decimal_comma) + " m"};
     if (i > 0) {
       const double step = step_between(houses[i - 1], house, metres_per_unit);
-      lines.push_back(fmt::format("{} m {}", decimal(std::abs(step), 3), step < 0 ? "behind" : "before"));
+      lines.push_back(phrase(language, step < 0 ? SheetPhrase::behind : SheetPhrase::before,
+                             number_text(std::abs(step), 3, drawing.decimal_comma)));
     }
     for (std::size_t k = 0; k < lines.size(); ++k) {
       DrawingText text;
@@ -132,18 +125,26 @@ std::vector<std::string> facade_reference(const Facade& facade, const FacadeDraw
   const double error = edge_error_95(facade);
   // Degrees from grid north, clockwise.
   const double towards = direction_degrees(facade.right.y, facade.right.x);
-  std::string crs = either(facade.crs, "not known");
+  const SheetLanguage in = params.language;
+  const bool comma = has_decimal_comma(in);
+  const std::string unknown = text_of(SheetPhrase::not_known, in);
+  std::string crs = either(facade.crs, unknown);
   if (!params.crs_name.empty()) crs += " " + params.crs_name;
-  return {
-      "CRS: " + crs,
-      "Heights: " + either(params.heights, "those of the points"),
-      place,
-      fmt::format("Facade runs towards {} deg from grid north", decimal(towards, 2)),
-      "Metres, drawn 1:1 in model space",
-      "Date of data: " + either(params.data_date, "not known"),
-      "Accuracy: " + (error > 0 ? fmt::format("95 % of edges within {} mm", decimal(1000 * error, 1)) : "not known"),
-      "Source: " + either(params.source, "not stated"),
-      "Made with ilot " + version()};
+  const std::string accuracy =
+      error > 0 ? phrase(in, SheetPhrase::edges_within, number_text(1000 * error, 1, comma)) : unknown;
+  return {phrase(in, SheetPhrase::crs, crs),
+          phrase(in, SheetPhrase::heights, either(params.heights, text_of(SheetPhrase::of_points, in))),
+          place,
+          phrase(in, SheetPhrase::runs_towards, number_text(towards, 2, comma)),
+          text_of(SheetPhrase::metres, in),
+          phrase(in, SheetPhrase::date, either(params.data_date, unknown)),
+          phrase(in, SheetPhrase::accuracy, accuracy),
+          phrase(in, SheetPhrase::source, either(params.source, text_of(SheetPhrase::not_stated, in))),
+          phrase(in, SheetPhrase::made_with, version())};
+}
+
+std::string scale_text(const FacadeDrawingParams& params) {
+  return phrase(params.language, SheetPhrase::scale, decimal(params.scale, params.scale < 1 ? 2 : 0));
 }
 
 double edge_error_95(const Facade& facade) {
@@ -158,9 +159,10 @@ namespace {
 
 // The reference of a drawing in front view: x runs from the origin of the facade, y is the height.
 std::vector<std::string> placed_reference(const Facade& facade, const FacadeDrawingParams& params, double metres) {
+  const bool comma = has_decimal_comma(params.language);
   return facade_reference(facade, params,
-                          fmt::format("x = 0 at E {} N {}, y is the height", decimal(metres * facade.origin.x, 3),
-                                      decimal(metres * facade.origin.y, 3)));
+                          phrase(params.language, SheetPhrase::origin, number_text(metres * facade.origin.x, 3, comma),
+                                 number_text(metres * facade.origin.y, 3, comma)));
 }
 
 }  // namespace
@@ -168,22 +170,26 @@ std::vector<std::string> placed_reference(const Facade& facade, const FacadeDraw
 Drawing facade_drawing(const Facade& facade, const FacadeDrawingParams& params) {
   Drawing drawing;
   drawing.scale = params.scale;
-  drawing.title = either(params.title, "Elevation");
+  drawing.title = either(params.title, text_of(SheetPhrase::elevation, params.language));
+  drawing.decimal_comma = has_decimal_comma(params.language);
   const double m = params.metres_per_unit;
   std::vector<FlatElement> flat;
   for (const FacadeElement& e : facade.elements) flat.push_back(flat_element(facade, e, params.metres_per_unit));
-  for (std::size_t i = 0; i < flat.size(); ++i) draw_element(facade.elements[i], flat[i], drawing);
+  draw_elements(facade, flat, m, drawing);
   add_errors(flat, facade, drawing);
   drop_repeated_lines(drawing);
-  const auto legend = legend_of(drawing);
+  add_ground(facade, flat, drawing);
+  const auto legend = legend_of(flattened(drawing), params.language);
   const FlatBox plan = box_of(flat);
   add_numbers(facade, flat, drawing);
   add_levels(facade, flat, plan, drawing);
   add_dimensions(facade, flat, plan, drawing);
+  add_section_marks(facade, named_sections(facade, params.sections, m, params.language), plan, m, drawing);
   add_sheet({drawing.title,
-             {fmt::format("Facade {}", facade.id), "Scale 1:" + decimal(params.scale, params.scale < 1 ? 2 : 0)},
+             {phrase(params.language, SheetPhrase::facade, facade.id), scale_text(params)},
              placed_reference(facade, params, m),
-             legend},
+             legend,
+             north_of(facade.right.x, facade.right.y)},
             drawing);
   return drawing;
 }
@@ -195,19 +201,22 @@ Drawing row_drawing(std::span<const Facade> houses, const FacadeDrawingParams& p
   own.scale = scale_of_row(row.width_m, params.scale);
   Drawing drawing;
   drawing.scale = own.scale;
-  drawing.title = either(params.title, "Row of facades");
+  drawing.title = either(params.title, text_of(SheetPhrase::row_of_facades, params.language));
+  drawing.decimal_comma = has_decimal_comma(params.language);
   std::vector<FlatElement> flat;
   for (const FacadeElement& e : row.elements) flat.push_back(flat_element(row, e, m));
-  for (std::size_t i = 0; i < flat.size(); ++i) draw_element(row.elements[i], flat[i], drawing);
+  draw_elements(row, flat, m, drawing);
+  add_ground(row, flat, drawing);
   drop_repeated_lines(drawing);
-  const auto legend = legend_of(drawing);
+  const auto legend = legend_of(flattened(drawing), params.language);
   const FlatBox plan = box_of(flat);
   add_levels(row, flat, plan, drawing);
-  add_house_texts(houses, row, m, plan.min.y, drawing);
+  add_house_texts(houses, row, m, plan.min.y, params.language, drawing);
   add_sheet({drawing.title,
-             {fmt::format("{} facades", houses.size()), "Scale 1:" + decimal(own.scale, own.scale < 1 ? 2 : 0)},
+             {phrase(params.language, SheetPhrase::facades, houses.size()), scale_text(own)},
              placed_reference(row, own, m),
-             legend},
+             legend,
+             north_of(row.right.x, row.right.y)},
             drawing);
   return drawing;
 }

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "engine/deliverables/drawings/drawing.h"
+#include "engine/deliverables/drawings/named_sections.h"
 #include "engine/model/facade.h"
+#include "ilot/settings.h"
 
 namespace ilot {
 
@@ -18,6 +20,8 @@ struct FacadeDrawingParams {
   std::string heights;         // their datum; empty: the sheet says that the heights are those of the points
   std::string data_date;       // of the scan, not of the run; empty: the sheet says that it is unknown
   std::string source;          // of the points
+  SectionRequests sections;    // where they are cut is marked
+  SheetLanguage language = SheetLanguage::english;
 };
 
 // Returns everything that is drawn of a facade: elements with real arcs by kind and status, hatched shadows, the plan
@@ -35,6 +39,9 @@ Drawing row_drawing(std::span<const Facade> houses, const FacadeDrawingParams& p
 // one line each.
 std::vector<std::string> facade_reference(const Facade& facade, const FacadeDrawingParams& params,
                                           const std::string& place);
+
+// Returns "Scale 1:50".
+std::string scale_text(const FacadeDrawingParams& params);
 
 // Returns the error in metres that 95 of 100 edges with a known error do not exceed; 0 when no edge has one.
 double edge_error_95(const Facade& facade);

@@ -278,8 +278,7 @@ double distance_from_wall(const Facade& facade, const FacadeElement& element) {
 
 bool is_hole(const Facade& facade, const FacadeElement& element, double metres_per_unit) {
   constexpr double kOnWall = 0.05;  // metres
-  return (element.opening || role_of_kind(element.kind) == DrawingRole::opening) &&
-         std::abs(distance_from_wall(facade, element)) * metres_per_unit <= kOnWall;
+  return is_opening(element) && std::abs(distance_from_wall(facade, element)) * metres_per_unit <= kOnWall;
 }
 
 DrawingRole role_of_kind(const std::string& kind) {
@@ -308,6 +307,14 @@ DrawingRole role_of_kind(const std::string& kind) {
   return R::detail;
 }
 
+bool is_opening(const FacadeElement& element) {
+  return element.opening || role_of_kind(element.kind) == DrawingRole::opening;
+}
+
+DrawingRole role_of(const FacadeElement& element) {
+  return element.region == FacadeRegion::irregularity ? DrawingRole::irregularity : role_of_kind(element.kind);
+}
+
 void draw_element(const FacadeElement& element, const FlatElement& flat, Drawing& drawing) {
   if (flat.corners.size() < 2) return;
   if (element.status == DrawnStatus::occluded) {
@@ -316,8 +323,7 @@ void draw_element(const FacadeElement& element, const FlatElement& flat, Drawing
     hatch(chords_of(flat), drawing);
     return;
   }
-  const DrawingRole role =
-      element.status == DrawnStatus::completed ? DrawingRole::completed : role_of_kind(element.kind);
+  const DrawingRole role = element.status == DrawnStatus::completed ? DrawingRole::completed : role_of(element);
   for (DrawingArc arc : flat.arcs) {
     arc.role = role;
     drawing.arcs.push_back(arc);

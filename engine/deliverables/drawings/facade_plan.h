@@ -37,6 +37,12 @@ std::vector<FlatPoint> chords_of(const FlatElement& element);
 // Returns the role with which an element of this kind is drawn.
 DrawingRole role_of_kind(const std::string& kind);
 
+// The same of an element: where the wall is not even (its region) it is an irregularity, whatever its kind.
+DrawingRole role_of(const FacadeElement& element);
+
+// Tells whether an element is an opening, by what is known of it or by its kind.
+bool is_opening(const FacadeElement& element);
+
 // Adds the lines of one element. When no edge is occluded, its whole closed line is on the layer of its kind, and
 // completed stretches are repeated on their own layer. When an edge is occluded, open chains are drawn by status. A
 // completed element is closed on the layer of completed ones. An occluded element is hatched on the layer of shadows

@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "engine/deliverables/drawings/drawing_sheet.h"
+#include "engine/deliverables/drawings/facade_marks.h"
 #include "engine/deliverables/drawings/facade_plan.h"
+#include "engine/deliverables/drawings/sheet_texts.h"
 #include "engine/deliverables/solids/facade_solids.h"
 #include "engine/error.h"
 
@@ -47,10 +49,10 @@ SectionFace wall_face(const Facade& facade, double metres) {
 }
 
 // Returns the place of the drawing's origin and the direction of its y axis.
-std::string place_of(const SectionPlane& plane, double metres) {
-  const bool upright = plane.v.z > 0.5;
-  return fmt::format("x = 0{} at E {} N {}, {}", upright ? "" : ", y = 0", decimal(metres * plane.origin.x, 3),
-                     decimal(metres * plane.origin.y, 3), upright ? "y is the height" : "seen from above");
+std::string place_of(const SectionPlane& plane, double metres, SheetLanguage language) {
+  const bool upright = plane.v.z > 0.5, comma = has_decimal_comma(language);
+  return phrase(language, upright ? SheetPhrase::origin : SheetPhrase::origin_above,
+                number_text(metres * plane.origin.x, 3, comma), number_text(metres * plane.origin.y, 3, comma));
 }
 
 }  // namespace
@@ -123,7 +125,8 @@ Drawing section_drawing(const Facade& facade, const SectionPlane& plane, std::sp
   const double metres = params.metres_per_unit;
   Drawing drawing;
   drawing.scale = params.scale;
-  drawing.title = params.title.empty() ? "Section" : params.title;
+  drawing.title = params.title.empty() ? text_of(SheetPhrase::section, params.language) : params.title;
+  drawing.decimal_comma = has_decimal_comma(params.language);
   std::vector<FlatEdge> cut = cut_faces(faces, plane);
   for (FlatEdge& e : cut) e = {{metres * e.a.x, metres * e.a.y}, {metres * e.b.x, metres * e.b.y}};
   for (std::vector<FlatPoint>& chain : join_stretches(cut, kTouch)) {
@@ -135,12 +138,15 @@ Drawing section_drawing(const Facade& facade, const SectionPlane& plane, std::sp
     drawing.lines.push_back(std::move(line));
   }
   for (const FlatPoint& p : points) drawing.points.push_back({DrawingRole::section_points, p.x, p.y});
-  std::vector<std::pair<DrawingRole, std::string>> legend{{DrawingRole::section, "Cut"}};
-  if (!points.empty()) legend.emplace_back(DrawingRole::section_points, "Points near it");
+  std::vector<std::pair<DrawingRole, std::string>> legend{
+      {DrawingRole::section, text_of(SheetPhrase::cut, params.language)}};
+  if (!points.empty())
+    legend.emplace_back(DrawingRole::section_points, text_of(SheetPhrase::points_near, params.language));
   add_sheet({drawing.title,
-             {fmt::format("Facade {}", facade.id), where, "Scale 1:" + decimal(params.scale, params.scale < 1 ? 2 : 0)},
-             facade_reference(facade, params, place_of(plane, metres)),
-             legend},
+             {phrase(params.language, SheetPhrase::facade, facade.id), where, scale_text(params)},
+             facade_reference(facade, params, place_of(plane, metres, params.language)),
+             legend,
+             std::abs(plane.v.z) < 0.5 ? std::optional<double>(north_of(plane.u.x, plane.u.y)) : std::nullopt},
             drawing);
   return drawing;
 }

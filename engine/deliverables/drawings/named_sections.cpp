@@ -7,6 +7,7 @@
 
 #include "engine/deliverables/drawings/drawing.h"
 #include "engine/deliverables/drawings/facade_section.h"
+#include "engine/deliverables/drawings/sheet_texts.h"
 #include "engine/error.h"
 
 namespace ilot {
@@ -37,13 +38,15 @@ void check_section_lines(std::span<const double> lines) {
   for (std::size_t i = 0; i < lines.size(); i += kNumbers) along(lines.subspan(i, kNumbers));
 }
 
-std::vector<NamedSection> named_sections(const Facade& facade, const SectionRequests& requests,
-                                         double metres_per_unit) {
+std::vector<NamedSection> named_sections(const Facade& facade, const SectionRequests& requests, double metres_per_unit,
+                                         SheetLanguage language) {
+  const auto number = [&](double value) { return number_text(value, 2, has_decimal_comma(language)); };
   check_section_lines(requests.lines);
   std::vector<NamedSection> sections;
   for (const double height : requests.levels) {
     const std::string words = decimal(height, 2);
-    sections.push_back({"section-level-" + words, "Section at " + words, level_section(facade, height)});
+    sections.push_back({"section-level-" + words, phrase(language, SheetPhrase::section_at, number(height)),
+                        level_section(facade, height)});
   }
   std::vector<SectionFace> faces;
   if (!requests.uprights.empty() || !requests.lines.empty()) faces = facade_faces(facade, metres_per_unit);
@@ -52,13 +55,14 @@ std::vector<NamedSection> named_sections(const Facade& facade, const SectionRequ
   };
   for (const double x : requests.uprights) {
     const std::string words = decimal(x, 2);
-    add_where_it_cuts({"section-x-" + words, "Section at x = " + words, across(facade, x / metres_per_unit)});
+    add_where_it_cuts({"section-x-" + words, phrase(language, SheetPhrase::section_at_x, number(x)),
+                       across(facade, x / metres_per_unit)});
   }
   for (std::size_t i = 0; i < requests.lines.size(); i += kNumbers) {
     const std::span<const double> line = std::span(requests.lines).subspan(i, kNumbers);
     add_where_it_cuts({fmt::format("section-line-{}", i / kNumbers + 1),
-                       fmt::format("Section from E {} N {} to E {} N {}", decimal(line[0], 2), decimal(line[1], 2),
-                                   decimal(line[2], 2), decimal(line[3], 2)),
+                       phrase(language, SheetPhrase::section_line, number(line[0]), number(line[1]), number(line[2]),
+                              number(line[3])),
                        along(line)});
   }
   return sections;

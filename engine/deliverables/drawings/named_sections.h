@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/model/facade.h"
+#include "ilot/settings.h"
 #include "kernels/outlines/plane_section.h"
 
 namespace ilot {
@@ -26,7 +27,8 @@ struct SectionRequests {
 // vertical section at an x has the street on its right and x = 0 on the wall. A section along a line has x = 0 at its
 // first place and is seen from its right-hand side. Lines are numbered in the order in which they are given. Throws as
 // check_section_lines does.
-std::vector<NamedSection> named_sections(const Facade& facade, const SectionRequests& requests, double metres_per_unit);
+std::vector<NamedSection> named_sections(const Facade& facade, const SectionRequests& requests, double metres_per_unit,
+                                         SheetLanguage language = SheetLanguage::english);
 
 // Throws a usage Error when a line lacks numbers or has no length.
 void check_section_lines(std::span<const double> lines);

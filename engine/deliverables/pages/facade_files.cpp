@@ -6,9 +6,9 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/deliverables/drawings/cad/dxf_writer.h"
 #include "engine/deliverables/drawings/drawing_pdf.h"
 #include "engine/deliverables/drawings/drawing_svg.h"
-#include "engine/deliverables/drawings/dxf_writer.h"
 #include "engine/deliverables/solids/facade_solids.h"
 #include "engine/deliverables/tables/facade_json.h"
 #include "engine/deliverables/tables/facade_table.h"
@@ -29,7 +29,7 @@ void write_drawing(const std::filesystem::path& folder, const std::string& name,
 
 void write_sections(const std::filesystem::path& folder, const Facade& facade, const FacadeFilesParams& params) {
   const double metres = params.drawing.metres_per_unit, cell = kPointCellMm * params.drawing.scale / 1000;
-  const std::vector<NamedSection> sections = named_sections(facade, params.sections, metres);
+  const std::vector<NamedSection> sections = named_sections(facade, params.sections, metres, params.drawing.language);
   if (sections.empty()) return;
   const std::vector<SectionFace> faces = facade_faces(facade, metres);
   std::vector<SectionPoints> points;
@@ -49,15 +49,16 @@ void write_sections(const std::filesystem::path& folder, const Facade& facade, c
   }
 }
 
-std::optional<SvgUnderlay> write_image(const std::filesystem::path& folder, const Facade& facade,
-                                       const FacadeFilesParams& params) {
+std::optional<DrawingImage> write_image(const std::filesystem::path& folder, const Facade& facade,
+                                        const FacadeFilesParams& params) {
   if (!params.points) return std::nullopt;
   FacadeImageParams wanted = params.image;
   wanted.metres_per_unit = params.drawing.metres_per_unit;
   const FacadeImage image = facade_image(facade, params.points, wanted);
   const std::string name = facade_name(facade.id) + ".png";
   write_facade_image(folder / name, image);
-  return SvgUnderlay{name, image.place};
+  if (image.width == 0 || image.height == 0) return std::nullopt;
+  return DrawingImage{name, image.width, image.height, image.place};
 }
 
 }  // namespace
@@ -74,7 +75,10 @@ void write_row_files(const std::filesystem::path& folder, std::uint32_t row, std
 void write_facade_files(const std::filesystem::path& folder, const Facade& facade, const FacadeFilesParams& params) {
   const std::string name = facade_name(facade.id);
   const auto named = [&](const char* extension) { return folder / (name + extension); };
-  const Drawing drawing = facade_drawing(facade, params.drawing);
+  FacadeDrawingParams of_drawing = params.drawing;
+  of_drawing.sections = params.sections;
+  Drawing drawing = facade_drawing(facade, of_drawing);
+  drawing.image = write_image(folder, facade, params);
   write_facade_json(named(".json"), facade);
   write_drawing(folder, name, drawing, params.layers);
   write_whole_file(named(".csv"), facade_table(facade, params.drawing.metres_per_unit));
@@ -86,8 +90,10 @@ void write_facade_files(const std::filesystem::path& folder, const Facade& facad
     write_whole_file(named(".stl"), solids_stl(solids));
   }
   write_sections(folder, facade, params);
-  const std::optional<SvgUnderlay> image = write_image(folder, facade, params);
-  if (params.page) params.page->add(facade, drawing, image, params.drawing.metres_per_unit);
+  if (!params.page) return;
+  std::optional<SvgUnderlay> under;
+  if (drawing.image) under = SvgUnderlay{drawing.image->file, drawing.image->place};
+  params.page->add(facade, drawing, under, params.drawing.metres_per_unit);
 }
 
 }  // namespace ilot

@@ -153,7 +153,8 @@ void FacadeSheets::add(const Facade& facade, const Drawing& drawing, const std::
   const std::string svg = drawing_svg(drawing, params_.layers, SvgPart::plan, image, notes);
   if (body_.size() + svg.size() <= params_.most_bytes) {
     ++drawn_;
-    body_ += "<figure>\n" + svg + switches(drawing, params_.layers, image.has_value(), !notes.empty()) + "</figure>\n";
+    body_ += "<figure>\n" + svg + switches(flattened(drawing), params_.layers, image.has_value(), !notes.empty()) +
+             "</figure>\n";
   }
   for (const std::string& table : {doubtful_table(facade), evidence_table(facade, flat)})
     if (body_.size() + table.size() <= params_.most_bytes) body_ += table;

@@ -158,6 +158,7 @@ std::string source_of(const RunInputs& inputs) {
 FacadeFilesParams files_params(const Settings& settings, const RunInputs& inputs, bool coloured) {
   FacadeFilesParams p;
   p.drawing.scale = settings.facades.scale;
+  p.drawing.language = settings.facades.language;
   p.drawing.metres_per_unit = inputs.crs.metres_per_unit;
   p.drawing.source = source_of(inputs);
   p.layers = preset_layers(names_of(settings.facades.layers)[static_cast<std::size_t>(settings.facades.layers)]);

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "engine/deliverables/drawings/dxf_writer.h"
+#include "engine/deliverables/drawings/cad/dxf_writer.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ilot {

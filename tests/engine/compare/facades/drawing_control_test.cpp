@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/deliverables/drawings/dxf_writer.h"
+#include "engine/deliverables/drawings/cad/dxf_writer.h"
 #include "engine/error.h"
 
 namespace ilot {

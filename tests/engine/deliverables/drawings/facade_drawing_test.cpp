@@ -30,7 +30,7 @@ Facade drawn_facade() {
 
 std::map<std::string, int> texts_of(const Drawing& drawing, DrawingRole role) {
   std::map<std::string, int> texts;
-  for (const DrawingText& text : drawing.texts)
+  for (const DrawingText& text : flattened(drawing).texts)
     if (text.role == role) ++texts[text.text];
   return texts;
 }
@@ -65,6 +65,98 @@ TEST(FacadeDrawing, NumbersLevelsAndChains) {
   EXPECT_EQ(sizes.at("1.20"), 1);  // the door
   EXPECT_EQ(sizes.at("3.80"), 1);  // right of it
   EXPECT_EQ(sizes.at("2.00"), 2);  // between windows
+}
+
+// What each dimension says is what it measures.
+TEST(FacadeDrawing, DimensionsMeasureWhatTheySay) {
+  const Drawing drawing = facade_drawing(drawn_facade());
+  ASSERT_FALSE(drawing.dimensions.empty());
+  for (const DrawingDimension& d : drawing.dimensions)
+    EXPECT_NEAR(std::stod(d.text.text), d.upright ? d.to.y - d.from.y : d.to.x - d.from.x, 0.005 + 1e-9);
+}
+
+TEST(FacadeDrawing, OpeningsAreBlocksWithASchedule) {
+  Facade facade = drawn_facade();
+  facade.elements[0].edges.assign(4, {});
+  facade.elements[0].edges[2].error_m = 0.0042;
+  const Drawing drawing = facade_drawing(facade);
+  ASSERT_EQ(drawing.blocks.size(), 7u);
+  std::map<std::string, std::string> schedule;
+  for (const DrawingAttribute& a : drawing.blocks[0].attributes) schedule[a.tag] = a.value;
+  EXPECT_EQ(schedule["ID"], "1");
+  EXPECT_EQ(schedule["KIND"], "window");
+  EXPECT_EQ(schedule["WIDTH"], "1.000");
+  EXPECT_EQ(schedule["SILL"], "4.000");
+  EXPECT_EQ(schedule["HEAD"], "5.500");
+  EXPECT_EQ(schedule["ERROR"], "4.2");
+}
+
+std::size_t lines_of(const Drawing& drawing, DrawingRole role) {
+  const Drawing flat = flattened(drawing);
+  return static_cast<std::size_t>(
+      std::count_if(flat.lines.begin(), flat.lines.end(), [&](const DrawingLine& l) { return l.role == role; }));
+}
+
+TEST(FacadeDrawing, ABalconyHidesTheWindowBehindIt) {
+  FacadeElement balcony = drawn("balcony", wall_rectangle(0.5, 3.8, 2.5, 4.6));
+  balcony.depth_m = 0.8;
+  const FacadeElement window = drawn("window", wall_rectangle(1, 4, 2, 6));
+  const Drawing drawing = facade_drawing(facade_of({window, balcony}));
+  const Drawing flat = flattened(drawing);
+  double hidden = 0, open = 0;
+  for (const DrawingLine& line : flat.lines)
+    for (std::size_t i = 0; i + 1 < line.corners.size() + line.closed; ++i) {
+      const DrawingCorner &a = line.corners[i], &b = line.corners[(i + 1) % line.corners.size()];
+      if (line.is_sample) continue;
+      (line.role == DrawingRole::hidden    ? hidden
+       : line.role == DrawingRole::opening ? open
+                                           : balcony.depth_m) += std::abs(a.x - b.x) + std::abs(a.y - b.y);
+    }
+  EXPECT_NEAR(hidden, 1 + 2 * 0.6, 1e-6);  // its foot and what is below 4.6 of its jambs
+  EXPECT_NEAR(open, 1 + 2 * 1.4, 1e-6);
+  // A sill is no obstacle to the sight of an opening, and what is thinner than 2 cm hides nothing.
+  balcony.depth_m = 0.01;
+  EXPECT_EQ(lines_of(facade_drawing(facade_of({window, balcony})), DrawingRole::hidden), 0u);
+  FacadeElement sill = drawn("sill", wall_rectangle(0.5, 3.8, 2.5, 4.6));
+  sill.depth_m = 0.2;
+  EXPECT_EQ(lines_of(facade_drawing(facade_of({window, sill})), DrawingRole::hidden), 0u);
+}
+
+TEST(FacadeDrawing, ABandEndsAtTheOpeningsItRunsAcross) {
+  FacadeElement band = drawn("band", wall_rectangle(0, 4.4, 9, 4.6));
+  band.depth_m = 0.05;
+  const Drawing drawing = facade_drawing(facade_of({drawn("window", wall_rectangle(1, 4, 2, 6)), band}));
+  EXPECT_EQ(lines_of(drawing, DrawingRole::hidden), 2u + 1u);  // and its sample in the legend
+  for (const DrawingLine& line : drawing.lines) {
+    if (line.role == DrawingRole::hidden && !line.is_sample) {
+      EXPECT_NEAR(std::abs(line.corners.back().x - line.corners.front().x), 1, 1e-6);
+    }
+  }
+}
+
+TEST(FacadeDrawing, TheGroundIsDrawnWhereTheFootWasSeen) {
+  Facade facade = facade_of({drawn("outline", wall_rectangle(0, 0, 9, 10))});
+  const auto grounds = [&] { return lines_of(facade_drawing(facade), DrawingRole::ground); };
+  EXPECT_EQ(grounds(), 2u);  // and its sample in the legend
+  facade.elements[0].edges.assign(4, {});
+  facade.elements[0].edges[0].status = DrawnStatus::completed;
+  EXPECT_EQ(grounds(), 0u);
+}
+
+TEST(FacadeDrawing, SectionsAreMarkedWhereTheyCut) {
+  FacadeDrawingParams params;
+  params.sections.levels = {4.5};
+  params.sections.uprights = {3};
+  const Drawing drawing = facade_drawing(drawn_facade(), params);
+  EXPECT_EQ(lines_of(drawing, DrawingRole::mark), 2u * 2u * 2u);
+  EXPECT_EQ(texts_of(drawing, DrawingRole::mark).size(), 2u);
+  bool upright = false, level = false;
+  for (const DrawingLine& line : drawing.lines) {
+    if (line.role != DrawingRole::mark || line.corners.size() != 3) continue;
+    upright |= line.corners[0].x == 3 && line.corners[1].x == 3;
+    level |= line.corners[0].y == 4.5 && line.corners[1].y == 4.5;
+  }
+  EXPECT_TRUE(upright && level);
 }
 
 TEST(FacadeDrawing, TextsDoNotOverlapAndStayOffLines) {

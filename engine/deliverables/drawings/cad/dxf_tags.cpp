@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/deliverables/drawings/dxf_tags.h"
+#include "engine/deliverables/drawings/cad/dxf_tags.h"
 
 #include "engine/markup.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/deliverables/drawings/dxf_reader.h"
+#include "engine/deliverables/drawings/cad/dxf_reader.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/deliverables/drawings/dxf_writer.h"
+#include "engine/deliverables/drawings/cad/dxf_writer.h"
 
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <limits>
 #include <set>
 
-#include "engine/deliverables/drawings/dxf_reader.h"
+#include "engine/deliverables/drawings/cad/dxf_reader.h"
 #include "engine/deliverables/drawings/facade_drawing.h"
 #include "engine/error.h"
 #include "engine/validity/validate_drawing.h"
@@ -44,8 +44,10 @@ TEST(DxfWriter, ReadsBack) {
   EXPECT_EQ(read.version, "AC1015");
   EXPECT_EQ(read.units, 6);
   EXPECT_TRUE(read.has_end);
-  EXPECT_EQ(read.layers.size(), kDrawingRoles + 1);
-  ASSERT_EQ(read.entities.size(), 5u);
+  EXPECT_EQ(read.layers.size(), kDrawingRoles + 2);  // and 0 and that of viewports
+  ASSERT_EQ(read.entities.size(), 6u);
+  EXPECT_EQ(read.entities[5].layer, "Defpoints");  // the edge of the paper
+  EXPECT_EQ(read.entities[5].corners.at(2).x, 10);
   const DxfEntity& door = read.entities[0];
   EXPECT_EQ(door.layer, "A-ELEV-OPNG");
   EXPECT_TRUE(door.closed);
@@ -97,6 +99,34 @@ TEST(DxfWriter, OursAreValidByOurOwnRules) {
         << preset;
 }
 
+// Openings of one shape share a block; the reader puts them where they are.
+TEST(DxfWriter, BlocksComeBackAtTheirPlaces) {
+  Drawing drawing;
+  for (const double x : {5.0, 9.0, 13.0})
+    drawing.blocks.push_back({"window",
+                              {x, 2},
+                              {{DrawingRole::opening, {{x, 2}, {x + 1, 2}, {x + 1, 4, 1}, {x, 4}}, true}},
+                              {},
+                              {{"ID", decimal(x, 0)}, {"WIDTH", "1.000"}}});
+  drawing.blocks[2].lines[0].corners[1].x += 0.5;
+  const std::string dxf = drawing_dxf(drawing, preset_layers("ilot"));
+  EXPECT_NE(dxf.find("WINDOW-2"), std::string::npos);
+  EXPECT_EQ(dxf.find("WINDOW-3"), std::string::npos);
+  const DxfDrawing read = parse_dxf(dxf, "a.dxf");
+  std::vector<double> left;
+  std::size_t attributes = 0;
+  for (const DxfEntity& e : read.entities) {
+    attributes += e.type == "ATTRIB";
+    if (e.type != "LWPOLYLINE") continue;
+    EXPECT_EQ(e.layer, "FAC-OPENING");
+    EXPECT_EQ(e.corners.at(2).bulge, 1);
+    left.push_back(e.corners.at(0).x);
+  }
+  EXPECT_EQ(left, (std::vector<double>{5, 9, 13}));
+  EXPECT_EQ(attributes, 6u);
+  EXPECT_TRUE(validate_drawing(read).empty());
+}
+
 TEST(DxfWriter, GdalReadsItAndItsArcs) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "a.dxf";
@@ -113,7 +143,7 @@ TEST(DxfWriter, GdalReadsItAndItsArcs) {
     feature->GetGeometryRef()->getEnvelope(&box);
     if (feature->GetFieldAsString("Layer") == std::string("FAC-OPENING")) highest = box.MaxY;
   }
-  EXPECT_EQ(layers.size(), 5u);
+  EXPECT_EQ(layers.size(), 6u);
   EXPECT_EQ(layers["FAC-TEXT"], 1);
   EXPECT_NEAR(highest, 4, 1e-3);
 }

@@ -14,12 +14,14 @@
 
 namespace ilot {
 
-// Closed lines are closed LWPOLYLINEs with bulges, arcs are ARCs, everything else is LWPOLYLINE, POINT or TEXT. Colour,
-// pen and pattern are those of the layer, except for samples, which are on the layer of titles. Every layer is
-// declared. Text beyond ASCII is written as \U+XXXX, which every program reads with any code page. Text that would be a
-// control sequence of the format is broken up. Coordinates are given to a hundredth of a millimetre. There are no time
-// stamps: the same drawing gives the same bytes. Lines of fewer than two different corners are left out. Throws Error
-// for a coordinate that is not finite.
+// Closed lines are closed LWPOLYLINEs with bulges, arcs are ARCs, dimensions are DIMENSIONs with their picture, blocks
+// are INSERTs with attributes (those of one shape share a definition), the image is an IMAGE below everything, and the
+// paper space has a viewport at the scale of the drawing; everything else is LWPOLYLINE, POINT or TEXT. Colour, pen and
+// pattern are those of the layer, except for samples, which are on the layer of titles. Every layer is declared. Text
+// beyond ASCII is written as \U+XXXX, which every program reads with any code page. Text that would be a control
+// sequence of the format is broken up. Coordinates are given to a hundredth of a millimetre. There are no time stamps:
+// the same drawing gives the same bytes. Lines of fewer than two different corners are left out. Throws Error for a
+// coordinate that is not finite.
 std::string drawing_dxf(const Drawing& drawing, const DrawingLayers& layers);
 void write_drawing_dxf(const std::filesystem::path& path, const Drawing& drawing, const DrawingLayers& layers);
 

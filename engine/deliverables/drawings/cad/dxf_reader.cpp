@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/deliverables/drawings/dxf_reader.h"
+#include "engine/deliverables/drawings/cad/dxf_reader.h"
 
 #include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <utility>
 
 #include "engine/error.h"
+#include "kernels/core/portable_math.h"
 
 namespace ilot {
 namespace {
@@ -106,10 +109,84 @@ class Reader {
       if (word != "SECTION") groups_.fail(group.line, "'" + clean_text(std::string(word)) + "' outside of a section");
       section(group.line);
     }
+    expand_inserts();
     return std::move(drawing_);
   }
 
  private:
+  struct Block {
+    double x = 0, y = 0;
+    std::vector<DxfEntity> entities;
+  };
+
+  // Reads a block of the section BLOCKS, from behind its BLOCK to its ENDBLK.
+  void block() {
+    std::string name;
+    Block read;
+    for (groups_.next(); !groups_.at_end() && groups_.now().code != 0; groups_.next()) {
+      const Group& g = groups_.now();
+      if (g.code == 2) name = trimmed(g.value);
+      if (g.code == 10) read.x = number_of(g.value).value_or(0);
+      if (g.code == 20) read.y = number_of(g.value).value_or(0);
+    }
+    const auto is_now = [&](const char* word) {
+      return groups_.now().code == 0 && trimmed(groups_.now().value) == word;
+    };
+    while (!groups_.at_end() && !is_now("ENDBLK") && !is_now("ENDSEC") && !is_now("BLOCK")) entity(read.entities);
+    blocks_.insert_or_assign(upper(name), std::move(read));
+  }
+
+  static std::string upper(std::string name) {
+    for (char& c : name)
+      if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return name;
+  }
+
+  // Puts the entities of blocks behind the references to them.
+  void expand_inserts() {
+    std::vector<DxfEntity> all;
+    for (DxfEntity& e : drawing_.entities) {
+      const DxfEntity placed = e;
+      all.push_back(std::move(e));
+      if (placed.type == "INSERT") expand(placed, 0, all);
+    }
+    drawing_.entities = std::move(all);
+  }
+
+  void expand(const DxfEntity& insert, int depth, std::vector<DxfEntity>& all) {
+    constexpr int kDeepest = 8;
+    constexpr std::size_t kMost = 1u << 20;
+    const auto found = blocks_.find(upper(insert.text));
+    if (found == blocks_.end() || insert.corners.empty() || depth >= kDeepest) return;
+    for (DxfEntity e : found->second.entities) {
+      if (e.type == "ATTDEF" || e.type == "SEQEND") continue;
+      if (all.size() >= kMost) groups_.fail(insert.line, "more than a million entities in blocks");
+      place(insert, found->second, e);
+      all.push_back(e);
+      if (e.type == "INSERT") expand(e, depth + 1, all);
+    }
+  }
+
+  // Moves an entity of a block to where the block is.
+  static void place(const DxfEntity& insert, const Block& block, DxfEntity& e) {
+    const double sx = insert.scale_x, sy = insert.scale_y, c = cos_degrees(insert.from_deg),
+                 s = cos_degrees(insert.from_deg - 90);
+    for (DrawingCorner& corner : e.corners) {
+      const double x = sx * (corner.x - block.x), y = sy * (corner.y - block.y);
+      corner = {insert.corners[0].x + c * x - s * y, insert.corners[0].y + s * x + c * y,
+                sx * sy < 0 ? -corner.bulge : corner.bulge};
+    }
+    e.radius *= std::sqrt(std::abs(sx * sy));
+    if (e.type == "INSERT") e.scale_x *= sx, e.scale_y *= sy;
+    if (sx < 0) e.from_deg = 180 - e.from_deg, e.to_deg = 180 - e.to_deg;
+    if (sy < 0) e.from_deg = -e.from_deg, e.to_deg = -e.to_deg;
+    if (sx * sy < 0) std::swap(e.from_deg, e.to_deg);
+    e.from_deg += insert.from_deg, e.to_deg += insert.from_deg;
+    if (e.layer == "0") e.layer = insert.layer;
+    e.handle.clear();
+    if (!insert.finite) e.finite = false;
+  }
+
   void section(std::uint64_t begun) {
     if (groups_.now().code != 2) groups_.fail(groups_.now().line, "a section without a name");
     const std::string name(trimmed(groups_.now().value));
@@ -118,7 +195,9 @@ class Reader {
     if (name == "HEADER") header();
     while (!at_end_of_section(begun)) {
       if (name == "ENTITIES" && groups_.now().code == 0)
-        entity();
+        entity(drawing_.entities);
+      else if (name == "BLOCKS" && groups_.now().code == 0 && trimmed(groups_.now().value) == "BLOCK")
+        block();
       else if (name == "TABLES" && groups_.now().code == 0 && trimmed(groups_.now().value) == "LAYER")
         layer();
       else
@@ -178,14 +257,26 @@ class Reader {
       case 21:
         if (is_line && !e.corners.empty()) e.corners.back().y = number(e);
         break;
+      case 13:
+      case 14:  // the measured places of a dimension
+        if (e.type == "DIMENSION") e.corners.push_back({}), e.corners.back().x = number(e);
+        break;
+      case 23:
+      case 24:
+        if (e.type == "DIMENSION" && !e.corners.empty()) e.corners.back().y = number(e);
+        break;
+      case 41:
+        if (e.type == "INSERT") e.scale_x = number(e);
+        break;
       case 42:
+        if (e.type == "INSERT") e.scale_y = number(e);
         if ((many || e.type == "VERTEX") && !e.corners.empty()) e.corners.back().bulge = number(e);
         break;
       case 40:
         if (e.type == "ARC" || e.type == "CIRCLE") e.radius = number(e);
         break;
       case 50:
-        if (e.type == "ARC") e.from_deg = number(e);
+        if (e.type == "ARC" || e.type == "INSERT") e.from_deg = number(e);
         break;
       case 51:
         if (e.type == "ARC") e.to_deg = number(e);
@@ -219,7 +310,11 @@ class Reader {
           flags = whole_of(g.value);
           break;
         case 1:
-          e.text = g.value;
+          e.text = e.type == "ATTRIB" ? e.text + std::string(g.value) : std::string(g.value);
+          break;
+        case 2:
+          if (e.type == "INSERT") e.text = trimmed(g.value);
+          if (e.type == "ATTRIB") e.text = std::string(trimmed(g.value)) + "=" + e.text;
           break;
         default:
           measure(e);
@@ -228,7 +323,7 @@ class Reader {
     return e;
   }
 
-  void entity() {
+  void entity(std::vector<DxfEntity>& entities) {
     std::int64_t flags = 0;
     bool paper = false;
     DxfEntity e = plain_entity(flags, paper);
@@ -238,7 +333,7 @@ class Reader {
       vertices(e, (flags & kMeshes) == 0);
     }
     if (e.type == "POLYLINE" || e.type == "LWPOLYLINE") e.closed = (flags & 1) != 0;
-    if (!paper) drawing_.entities.push_back(std::move(e));
+    if (!paper) entities.push_back(std::move(e));
   }
 
   void vertices(DxfEntity& polyline, bool wanted) {
@@ -260,6 +355,7 @@ class Reader {
 
   Groups groups_;
   DxfDrawing drawing_;
+  std::map<std::string, Block> blocks_;  // by their names in capitals
 };
 
 }  // namespace
