@@ -3,23 +3,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <set>
-#include <utility>
 
 #include "engine/products/facades/walls/segment_grid.h"
 #include "engine/products/facades/walls/wall_ends.h"
 #include "engine/products/facades/walls/wall_parts.h"
-#include "engine/products/facades/walls/wall_relief.h"
 #include "kernels/core/portable_math.h"
 
 namespace ilot {
 namespace {
 
+// Choice: relief that is twisted by more is a wall of its own.
+constexpr double kParallelDeg = 5;  // greatest angle between a plane of the relief and its wall
 // Choice: over 2 m, 2 degrees are 7 cm, more than facades.bias; walls that bend by less become one.
 constexpr double kCoplanarDeg = 2;  // greatest angle between parts of one wall
+// Choice: cornices and plinths reach beyond a wall by less.
+constexpr double kBelow = 0.5;  // metres above and below a wall in which its relief may be
 // Derived: a majority.
-constexpr double kInside = 0.5;  // share of a front that a larger one covers
+constexpr double kInside = 0.5;  // share of the width of a plane that must be along the wall so that it is relief
 
 FacadeAxes axes_of(const Segment& s, Vec3 out) {
   FacadeAxes axes;
@@ -125,7 +126,7 @@ std::vector<std::size_t> join_coplanar(const SegmentGrid& grid, std::vector<char
         continue;
       }
       if (high && !ends[grid.index(k)].stray)
-        parts->push_back({e, grid.index(k), ends[grid.index(k)].known, ends[grid.index(k)].wide, s.area_m2});
+        parts->push_back({e, grid.index(k), ends[grid.index(k)].known, ends[grid.index(k)].wide});
       taken[grid.index(k)] = 1;
       joined.push_back(grid.index(k));
       include(all, e);
@@ -169,62 +170,32 @@ double common_share(const WallGroup& front, const WallGroup& other, double metre
   return std::max(across, 0.0) * std::max(up, 0.0) / (front.width * front.height);
 }
 
-// The inputs of the search for walls.
-struct WallSearch {
-  std::span<const Segment> segments;
-  const StreetSides& sides;
-  const WallParams& params;
-  std::span<const SegmentEnds> ends;
-  const SegmentGrid& upright;
-};
-
-struct GrownWall {
-  WallGroup group;
-  std::vector<KnownPart> parts;
-  std::vector<std::size_t> joined;  // its segments, the first one too
-};
-
-// The wall that continues the plane of a segment; its segments are marked as taken.
-GrownWall grown_from(const WallSearch& in, const std::vector<WallGroup>& walls, std::size_t i,
-                     std::vector<char>& taken) {
-  const Segment& s = in.segments[i];
-  const StreetSide side = street_side_of(s, in.sides, walls, in.params);
-  GrownWall wall{group_of(s, side.out), {}, {}};
-  wall.group.side_odds = side.odds;
-  WallExtent all = extent_of(s, wall.group.axes, in.params.metres_per_unit);
-  taken[i] = 1;
-  if (!in.ends.empty()) wall.parts.push_back({all, i, true, true, s.area_m2});
-  wall.joined =
-      join_coplanar(in.upright, taken, in.params, wall.group, all, in.ends.empty() ? nullptr : &wall.parts, in.ends);
-  wall.joined.push_back(i);
-  set_box(wall.group, all, in.params.metres_per_unit);
-  wall.group.core0 = wall.group.width, wall.group.core1 = 0;
-  for (KnownPart& part : wall.parts) {
-    part.box.u0 -= all.u0, part.box.u1 -= all.u0;  // the origin has moved
-    if (part.known) {
-      wall.group.core0 = std::min(wall.group.core0, part.box.u0);
-      wall.group.core1 = std::max(wall.group.core1, part.box.u1);
-    }
-  }
-  std::sort(wall.group.segments.begin(), wall.group.segments.end());
-  wall.group.segments.erase(std::unique(wall.group.segments.begin(), wall.group.segments.end()),
-                            wall.group.segments.end());
-  return wall;
-}
-
-bool is_wall(const WallGroup& group, const WallParams& params) {
-  return group.width >= params.least_width && group.height >= params.least_height && group.area_m2 >= params.least_area;
-}
-
 // Claims segments that are parallel to the wall and along it, so that a balcony or a shop front does not become a
-// facade.
-void take_wall(const WallSearch& in, GrownWall wall, std::vector<char>& taken, std::vector<WallGroup>& walls) {
-  for (const std::size_t k : relief_of(in.upright, in.params, wall.parts, wall.group)) {
-    const Segment& s = in.upright.segment(k);
-    taken[in.upright.index(k)] = 1;
-    wall.group.parallel.push_back({s.id, s.points});
+// facade. The segments of the wall are in order.
+void claim_relief(const SegmentGrid& grid, std::vector<char>& taken, const WallParams& params,
+                  std::span<const KnownPart> parts, WallGroup& group) {
+  const double least_cos = cos_degrees(kParallelDeg);
+  const WallExtent around{0, group.width, -kBelow, group.height + kBelow, -params.relief_behind, params.relief_front};
+  std::vector<std::size_t> candidates;
+  for (const std::uint32_t k : grid.near(group.axes, around)) candidates.push_back(k);
+  std::sort(candidates.begin(), candidates.end(),
+            [&](std::size_t a, std::size_t b) { return grid.index(a) < grid.index(b); });
+  for (const std::size_t k : candidates) {
+    const Segment& s = grid.segment(k);
+    if (std::abs(dot(s.plane.n, group.axes.out)) < least_cos) continue;
+    if (std::binary_search(group.segments.begin(), group.segments.end(), s.id)) continue;
+    const WallExtent e = extent_of(s, group.axes, params.metres_per_unit);
+    const double common = std::min(e.u1, group.width) - std::max(e.u0, 0.0);
+    if (e.w0 > params.relief_front || e.w0 < -params.relief_behind || !(common >= kInside * (e.u1 - e.u0)) ||
+        e.v0 > group.height + kBelow || e.v1 < -kBelow)
+      continue;
+    const double beside = std::min(e.v1, group.height) - std::max(e.v0, 0.0);
+    if (s.area_m2 >= params.least_area && beside < kInside * (e.v1 - e.v0))
+      continue;  // an upper storey that is set back
+    if (!parts.empty() && is_beside(e, s, parts, params)) continue;
+    taken[grid.index(k)] = 1;
+    group.parallel.push_back({s.id, s.points});
   }
-  walls.push_back(std::move(wall.group));
 }
 
 }  // namespace
@@ -241,25 +212,34 @@ std::vector<WallGroup> find_walls(std::span<const Segment> segments, const Stree
   const SegmentGrid upright(segments, std::move(by_area), params.metres_per_unit);
   std::vector<char> taken(segments.size());
   std::vector<WallGroup> walls;
-  const WallSearch search{segments, sides, params, ends, upright};
   for (const std::size_t i : upright.list()) {
-    if (taken[i] != 0 || segments[i].area_m2 < params.least_area / 4) continue;
-    GrownWall wall = grown_from(search, walls, i, taken);
-    if (const std::optional<std::size_t> larger = larger_plane(upright, taken, params, wall.parts, wall.group)) {
-      for (const std::size_t j : wall.joined) taken[j] = 0;
-      GrownWall other = grown_from(search, walls, *larger, taken);
-      if (is_wall(other.group, params) && other.group.area_m2 > wall.group.area_m2) {
-        take_wall(search, std::move(other), taken, walls);
-        if (taken[i] != 0) continue;
-      } else {
-        for (const std::size_t j : other.joined) taken[j] = 0;
-      }
-      wall = grown_from(search, walls, i, taken);
+    const Segment& s = segments[i];
+    if (taken[i] != 0 || s.area_m2 < params.least_area / 4) continue;
+    const StreetSide side = street_side_of(s, sides, walls, params);
+    WallGroup group = group_of(s, side.out);
+    group.side_odds = side.odds;
+    WallExtent all = extent_of(s, group.axes, params.metres_per_unit);
+    taken[i] = 1;
+    std::vector<KnownPart> parts;
+    if (!ends.empty()) parts.push_back({all, i});
+    const std::vector<std::size_t> joined =
+        join_coplanar(upright, taken, params, group, all, ends.empty() ? nullptr : &parts, ends);
+    set_box(group, all, params.metres_per_unit);
+    group.core0 = group.width, group.core1 = 0;
+    for (KnownPart& part : parts) {
+      part.box.u0 -= all.u0, part.box.u1 -= all.u0;  // the origin has moved
+      if (part.known)
+        group.core0 = std::min(group.core0, part.box.u0), group.core1 = std::max(group.core1, part.box.u1);
     }
-    if (is_wall(wall.group, params))
-      take_wall(search, std::move(wall), taken, walls);
-    else
-      for (const std::size_t j : wall.joined) taken[j] = 0;
+    if (group.width < params.least_width || group.height < params.least_height || group.area_m2 < params.least_area) {
+      taken[i] = 0;
+      for (const std::size_t j : joined) taken[j] = 0;
+      continue;
+    }
+    std::sort(group.segments.begin(), group.segments.end());
+    group.segments.erase(std::unique(group.segments.begin(), group.segments.end()), group.segments.end());
+    claim_relief(upright, taken, params, parts, group);
+    walls.push_back(std::move(group));
   }
   std::sort(walls.begin(), walls.end(), [](const WallGroup& a, const WallGroup& b) {
     return a.area_m2 != b.area_m2 ? a.area_m2 > b.area_m2 : a.segments[0] < b.segments[0];

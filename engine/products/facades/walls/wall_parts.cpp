@@ -63,12 +63,9 @@ bool is_beside(const WallExtent& e, const Segment& s, std::span<const KnownPart>
   if (s.area_m2 < params.least_area || width < params.least_width || e.v1 - e.v0 < params.least_height) return false;
   double from = e.u0, to = e.u1;  // the stretch without a part, from the parts on both sides
   bool left = false, right = false;
-  double area = 0;  // of the parts of the wall in this stretch
   for (const KnownPart& part : parts) {
-    const double common = std::min(part.box.u1, e.u1) - std::max(part.box.u0, e.u0);
-    if (common > 0) area += part.area_m2 * common / (part.box.u1 - part.box.u0);
     if (!part.wide) continue;
-    if (common >= kAlongside * width) return false;
+    if (std::min(part.box.u1, e.u1) - std::max(part.box.u0, e.u0) >= kAlongside * width) return false;
     if (part.box.u0 + part.box.u1 < e.u0 + e.u1) {
       from = left ? std::max(from, part.box.u1) : part.box.u1;
       left = true;
@@ -77,7 +74,7 @@ bool is_beside(const WallExtent& e, const Segment& s, std::span<const KnownPart>
       right = true;
     }
   }
-  return area <= s.area_m2 && (!(left && right) || to - from > params.gap);
+  return !(left && right) || to - from > params.gap;
 }
 
 }  // namespace ilot

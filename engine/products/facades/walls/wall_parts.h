@@ -14,7 +14,6 @@ struct KnownPart {
   WallExtent box;
   std::size_t index = 0;
   bool known = true, wide = true;  // as in SegmentEnds
-  double area_m2 = 0;
 };
 
 // Whether no part of the wall comes near a segment: scraps of eaves do not join two houses with another one between.
@@ -25,8 +24,7 @@ bool steps_off(const WallExtent& e, std::size_t index, std::span<const KnownPart
                std::span<const SegmentEnds> ends, const WallParams& params);
 
 // Whether a plane as large as a wall fills a stretch of the street in which the wall has no part of its own. Relief has
-// its wall above, below, or on both sides. The narrow bays between pilasters are parts of the wall where they have more
-// area in this stretch than the plane.
+// its wall above, below, or on both sides.
 bool is_beside(const WallExtent& e, const Segment& s, std::span<const KnownPart> parts, const WallParams& params);
 
 }  // namespace ilot

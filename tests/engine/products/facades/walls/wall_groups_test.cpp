@@ -234,33 +234,6 @@ TEST(WallGroups, TheSameAsAskingAllSegments) {
   }
 }
 
-// Each pilaster is larger than each piece of the bays between them, which balconies cut; the bays are the wall.
-TEST(WallGroups, TheBaysBetweenPilastersAreTheWall) {
-  std::vector<Segment> segments;
-  const auto add = [&](double from, double to, double low, double high, double off) {
-    segments.push_back(upright(static_cast<std::uint32_t>(segments.size() + 1), 0, from, to, low, high, off));
-  };
-  for (int bay = 0; bay <= 5; ++bay) add(2 * bay, 2 * bay + 0.4, 0, 18, 0.12);
-  for (int bay = 0; bay < 5; ++bay)
-    for (int storey = 0; storey < 6; ++storey) add(2 * bay + 0.4, 2 * bay + 2, 3 * storey, 3 * storey + 2.8, 0);
-  ASSERT_GT(segments[0].area_m2, segments.back().area_m2);
-  const auto walls = find_walls(segments, {std::vector<Vec3>{{5, -10, 1}}, {}}, {});
-  ASSERT_EQ(walls.size(), 1u);
-  EXPECT_EQ(walls[0].segments.size(), 30u);
-  EXPECT_EQ(walls[0].parallel.size(), 4u);  // those at both ends stand beside the bays
-}
-
-// Panes are larger than the frame around them, but they lie in its holes.
-TEST(WallGroups, AFrameIsTheWallOfItsPanes) {
-  std::vector<Segment> segments{upright(1, 0, 0, 10, 0, 6, 0)};
-  segments[0].area_m2 = 20;
-  for (std::uint32_t i = 0; i < 4; ++i)
-    segments.push_back(upright(2 + i, 0, 0.2 + 2.5 * i, 2.3 + 2.5 * i, 0.4, 5.6, -0.08));
-  const auto walls = find_walls(segments, {std::vector<Vec3>{{5, -10, 1}}, {}}, {});
-  ASSERT_EQ(walls.size(), 1u);
-  EXPECT_EQ(walls[0].segments, (std::vector<std::uint32_t>{1}));
-}
-
 // A hundred times the segments: a hundred times the work, and not ten thousand times.
 TEST(WallGroups, ACityTakesNoLongerThanItsHouses) {
   std::vector<Segment> segments;
