@@ -127,7 +127,8 @@ async function checkReport(browser, path) {
   page.setDefaultTimeout(180000);
   page.on('console', (message) => { if (['error', 'warning'].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text())) problems.push(message.text()); });
   page.on('pageerror', (error) => problems.push(error.stack));
-  page.on('request', (request) => { if (!/^(file|data|blob):/.test(request.url()) && !(served && request.url().startsWith(new URL(address).origin))) problems.push('asks for ' + request.url()); });
+  const own = (url) => /^(file|data|blob):/.test(url) || (served && url.startsWith(new URL(address).origin));
+  page.on('request', (request) => { if (!own(request.url())) problems.push('asks for ' + request.url()); });
   const began = Date.now();
   await page.goto(address);
   await page.evaluate(() => window.ilot.started);

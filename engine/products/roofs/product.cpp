@@ -16,15 +16,21 @@ namespace ilot {
 namespace {
 
 // Derived: a hundred last returns on a small house.
-constexpr double kLeastDensity = 1;                        // last returns per square metre: a hundred on a small house
+constexpr double kLeastDensity = 1;  // last returns per square metre: a hundred on a small house
+// Choice: airborne scans have up to some hundred, fronts from the ground thousands; drones can have as many.
+constexpr double kGroundDensity = 1000;
 constexpr std::size_t kBuilding = 6, kBuildingParts = 67;  // class codes of the LAS standard
 
 Suitability suits(const CloudInfo& info, const CloudMeasure& measure) {
-  const std::string density = fmt::format("{:.3g} last returns/m2", measure.last_return_density);
+  const double returns = measure.last_return_density;
+  const std::string density =
+      returns < kGroundDensity ? fmt::format("{:.3g} last returns/m2", returns)
+                               : fmt::format("{:.0f} last returns/m2 seen from above, as upright walls have", returns);
   if (!info.stations.empty()) return {false, "scanned from stations on the ground, which see few roofs"};
   if (measure.last_return_density < kLeastDensity) return {false, density + ", 1 at least"};
   if (measure.classes[kBuilding] + measure.classes[kBuildingParts] > 0)
     return {true, density + ", class 6 says what buildings are"};
+  if (returns >= kGroundDensity) return {true, density + ": only where roofs were scanned too, as from a drone"};
   return {true, density + ", no point of class 6: buildings are found by shape or from --footprints"};
 }
 

@@ -135,7 +135,7 @@ TEST(Evaluate, JudgesEverythingThatIsThere) {
   EXPECT_NE(text.find("  wall               56    0           8     64       87.5 %\n"), std::string::npos) << text;
   EXPECT_NE(text.find("boundary error E 0.700"), std::string::npos) << text;
   const std::string html = evaluation_html(e);
-  EXPECT_TRUE(html.starts_with("<section class=\"ilot-evaluation\">"));
+  EXPECT_TRUE(html.starts_with("<section id=\"truth\""));
   EXPECT_EQ(html.find("http"), std::string::npos);
 }
 
