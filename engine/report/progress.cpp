@@ -7,6 +7,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "engine/report/counted.h"
 #include "engine/report/resources.h"
 
 namespace ilot {
@@ -225,6 +226,14 @@ void Progress::unit_skipped(std::string_view unit, std::string_view reason) {
   const std::lock_guard lock(mutex_);
   event("unit_skipped", {{"stage", json_quote(stage_)}, {"unit", json_quote(unit)}, {"msg", json_quote(reason)}});
   line(fmt::format("ilot: {}: skipped: {}", unit, reason), Verbosity::quiet);
+}
+
+void Progress::units_skipped(std::span<const std::string> units, std::string_view noun, std::string_view reason) {
+  const std::lock_guard lock(mutex_);
+  for (const std::string& unit : units)
+    event("unit_skipped", {{"stage", json_quote(stage_)}, {"unit", json_quote(unit)}, {"msg", json_quote(reason)}});
+  line(fmt::format("ilot: {} {} skipped: {}: {}", grouped(units.size()), noun, reason, first_names(units)),
+       Verbosity::quiet);
 }
 
 void Progress::run_done(std::string_view message) {

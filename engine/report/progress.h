@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -68,6 +69,9 @@ class Progress {
   // is called.
   void unit_done(std::string_view unit, std::uint64_t points, std::uint64_t done, std::uint64_t total);
   void unit_skipped(std::string_view unit, std::string_view reason);
+  // Units with the same reason: an event for each, and one line that names the first three. `noun` is for example
+  // "footprints are".
+  void units_skipped(std::span<const std::string> units, std::string_view noun, std::string_view reason);
 
   // Writes the last line: points, wall seconds, peak memory, skipped inputs.
   void run_done(std::string_view message);

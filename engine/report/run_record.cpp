@@ -134,7 +134,8 @@ std::string run_json(const RunRecord& record) {
   if (record.clusters)
     json["clusters"] = {{"clusters", record.clusters->clusters},
                         {"too_small", record.clusters->too_small},
-                        {"points_of_too_small", record.clusters->points_of_too_small}};
+                        {"points_of_too_small", record.clusters->points_of_too_small},
+                        {"without_model", record.clusters->without_model}};
   if (record.cells)
     json["cells"] = {
         {"unit", record.cells->unit}, {"edge_steps", record.cells->edge}, {"most_points", record.cells->most_points}};

@@ -74,6 +74,8 @@ struct FootprintsRecord {
 // The result without footprints.
 struct ClustersRecord {
   std::uint64_t clusters = 0, too_small = 0, points_of_too_small = 0;
+  // Outlines that were made from clusters and have no model, by reason. No fault: nobody said that these are buildings.
+  std::map<std::string, std::uint64_t> without_model;
 };
 
 // The cells in which planes are searched: cubes aligned with the origin of the coordinates.

@@ -175,6 +175,13 @@ class CoordinatesTest(RunTest):
 
 
 class RealCoordinates(RunTest):
+    def test_outlines_of_delft_without_a_model_are_no_fault(self):
+        out, run_json = self.work(real("delft/ahn3_cropped_1.laz"), "--products", "roofs", "--no-clouds")
+        self.assertEqual(run_json["skipped"], [])
+        without = sum(run_json["clusters"]["without_model"].values())
+        self.assertGreater(without, 0)
+        self.assertEqual(without, run_json["counts"]["roofs"]["footprint_only"])
+
     def test_delft_takes_the_crs_and_its_obj_is_valid(self):
         out, run_json = self.work(real("delft/ahn3_cropped_1.laz"), "--products", "roofs", "--no-clouds", "--footprints",
                               real("delft/footprints.geojson"))

@@ -217,6 +217,13 @@ std::string left_out_section(const ResultFolder& result) {
   if (outside.is_array() && !outside.empty())
     content += html_note(plural(outside.size(), "footprint is", "footprints are") +
                          " outside the extent of the cloud; that is no fault.");
+  const Json& without_model = part(part(result.run, "clusters"), "without_model");
+  if (!without_model.empty()) {
+    HtmlTable table({{"outlines", true}, {"found in the cloud, without a model"}});
+    for (const auto& [reason, outlines] : without_model.items())
+      table.add({grouped(outlines.get<std::uint64_t>()), html_text(reason)});
+    content += "<h3>Outlines without a model</h3>\n" + table.html();
+  }
   if (!warnings.empty()) content += "<h3>Warnings</h3>\n" + reasons_table(warnings);
   if (content.empty()) content = html_note("Nothing was skipped, left out or warned of.");
   return html_section("left-out", "What was left out, and why", content);

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
+
+#include "engine/report/counted.h"
 
 namespace ilot {
 
@@ -26,13 +29,6 @@ GridBox extent_of(const Store& store, const PassContext& context) {
   return extent;
 }
 
-std::string first_names(const std::vector<std::string>& names) {
-  constexpr std::size_t kNamed = 3;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), kNamed); ++i) text += (i > 0 ? ", " : "") + names[i];
-  return names.size() > kNamed ? text + " and " + grouped(names.size() - kNamed) + " more" : text;
-}
-
 }  // namespace
 
 void resolve_skipped_footprints(const Store& store, std::span<const PlannedSite> sites, const PassContext& context,
@@ -45,13 +41,16 @@ void resolve_skipped_footprints(const Store& store, std::span<const PlannedSite>
     if (!site.outline.polygon.empty() && !site.outline.box.meets(extent)) beyond.insert(site.id);
   }
   const auto is_beyond = [&](const SkippedRecord& s) { return s.what == "unit" && beyond.contains(s.where); };
+  std::map<std::string, std::vector<std::string>> within;  // the cloud's extent, by reason
   std::vector<std::string>& outside = record.footprints->outside;
   for (const SkippedRecord& s : record.skipped) {
     if (is_beyond(s))
       outside.push_back(s.where);
     else if (s.what == "unit" && all.contains(s.where))
-      progress.unit_skipped(s.where, s.reason);
+      within[s.reason].push_back(s.where);
   }
+  for (const auto& [reason, ids] : within)
+    progress.units_skipped(ids, ids.size() == 1 ? "footprint is" : "footprints are", reason);
   std::erase_if(record.skipped, is_beyond);
   if (!outside.empty())
     progress.note(grouped(outside.size()) + " of " + grouped(sites.size()) +

@@ -192,7 +192,7 @@ void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Se
   }
   std::filesystem::create_directories(out.folder);
   RoofLabels labels(store);
-  RoofSink sink(out.folder, setup.file, crs, labels, out.progress, out.record);
+  RoofSink sink(out.folder, setup.file, crs, labels, out.record);
   const SiteModeller modeller(work, setup.model, setup.file.city_json, labels);
   model_sites(modeller, wanted, costs, budget, context, sink);
   sink.finish();

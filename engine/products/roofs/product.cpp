@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
+
 #include "engine/columns/found_roles.h"
 #include "engine/columns/normals_pass.h"
 #include "engine/columns/point_roles.h"
@@ -58,6 +61,22 @@ void make_roles(ProductRun& run) {
            " points of the ground and " + grouped(count_of(found, PointRole::building)) + " of buildings"});
 }
 
+// One line for all outlines of clusters that have no model, the most frequent reason first.
+void note_clusters_without_model(Progress& progress, const ClustersRecord& clusters) {
+  std::vector<std::pair<std::string, std::uint64_t>> reasons(clusters.without_model.begin(),
+                                                             clusters.without_model.end());
+  if (reasons.empty()) return;
+  std::ranges::stable_sort(reasons, std::greater{}, [](const auto& r) { return r.second; });
+  std::uint64_t all = 0;
+  std::string text;
+  for (const auto& [reason, count] : reasons) {
+    all += count;
+    text += (text.empty() ? "" : "; ") + reason + ": " + grouped(count);
+  }
+  progress.note(counted(all, "outline that was found in the cloud has", "outlines that were found in the cloud have") +
+                " no model (" + text + ")");
+}
+
 void make(ProductRun& run) {
   make_roles(run);
   const bool given = run.footprints != nullptr;
@@ -67,6 +86,7 @@ void make(ProductRun& run) {
   make_roofs(run.store, sites, run.settings, run.inputs.crs, run.context,
              {run.folder / "roofs", run.progress, run.record});
   if (given) resolve_skipped_footprints(run.store, sites, run.context, run.progress, run.record);
+  if (!given) note_clusters_without_model(run.progress, *run.record.clusters);
   const std::uint64_t outside = given ? run.record.footprints->outside.size() : 0;
   if (run.record.roofs->buildings == outside)
     skip_product(run, roofs_product(),

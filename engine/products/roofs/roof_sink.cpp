@@ -4,8 +4,8 @@
 namespace ilot {
 
 RoofSink::RoofSink(const std::filesystem::path& folder, const RoofFilesParams& params, const Crs& crs,
-                   RoofLabels& labels, Progress& progress, RunRecord& record)
-    : files_(folder, params, crs), labels_(labels), progress_(progress), record_(record) {
+                   RoofLabels& labels, RunRecord& record)
+    : files_(folder, params, crs), labels_(labels), record_(record) {
   record.roofs.emplace();
 }
 
@@ -33,8 +33,10 @@ void RoofSink::count(const SiteResult& result) {
   counts.valid += result.status != RoofStatus::footprint_only;  // others are not delivered
   if (result.status != RoofStatus::footprint_only) return;
   ++counts.footprint_only;
-  if (!record_.footprints) progress_.unit_skipped(result.levels[0].id, result.reason);  // else later
-  record_.skipped.push_back({"unit", result.levels[0].id, result.reason});
+  if (record_.clusters)
+    ++record_.clusters->without_model[result.reason];
+  else
+    record_.skipped.push_back({"unit", result.levels[0].id, result.reason});
 }
 
 }  // namespace ilot

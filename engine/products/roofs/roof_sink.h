@@ -14,7 +14,7 @@ namespace ilot {
 class RoofSink {
  public:
   RoofSink(const std::filesystem::path& folder, const RoofFilesParams& params, const Crs& crs, RoofLabels& labels,
-           Progress& progress, RunRecord& record);
+           RunRecord& record);
 
   void take(SiteResult& result);
   void finish();
@@ -24,7 +24,6 @@ class RoofSink {
 
   RoofFiles files_;
   RoofLabels& labels_;
-  Progress& progress_;
   RunRecord& record_;
   std::uint32_t units_ = 0, planes_ = 0;
 };

@@ -125,6 +125,15 @@ TEST(Progress, QuietKeepsOnlyWhatIsWrong) {
   EXPECT_EQ(r.console, "ilot: b.las: skipped: 0 points\nilot: u: skipped: no plane\n");
 }
 
+TEST(Progress, UnitsOfOneReasonAreOneLine) {
+  Recorded r;
+  Progress p(r.options());
+  p.units_skipped(std::vector<std::string>{"a", "b", "c", "d", "e"}, "footprints are", "fewer than 3 points");
+  EXPECT_EQ(r.console, "ilot: 5 footprints are skipped: fewer than 3 points: a, b, c and 2 more\n");
+  EXPECT_EQ(r.names(), (std::vector<std::string>(5, "unit_skipped")));
+  EXPECT_EQ(r.events[4]["unit"], "e");
+}
+
 TEST(Progress, MorePointsThanAnnounced) {
   Recorded r;
   Progress p(r.options());
