@@ -128,7 +128,7 @@ class Blocks {
   }
   std::string picture_of(const DrawingDimension& dimension) {
     constexpr int kAnonymous = 1;
-    const std::string name = fmt::format("*D{}", ++dimensions_);
+    std::string name = fmt::format("*D{}", ++dimensions_);
     DxfBlock& made = begin(name, kAnonymous);
     DxfEntities inside(layers_, {made.name.record}, handle_);
     for (const DrawingLine& line : dimension.lines) inside.add(line);
