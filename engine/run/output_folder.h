@@ -55,15 +55,4 @@ class OutputFolder {
   std::optional<FolderLock> lock_, store_lock_;
 };
 
-// Returns how much of --memory the work may use. The rest of 12 MiB, an eighth of 96M, is for memory that the estimates
-// of the work do not include: the stacks of the threads and what the allocator keeps between blocks. At 96M, 16 threads
-// were measured to take 4 MiB of it.
-std::uint64_t memory_to_fill(const RunOptions& options);
-
-// Returns the part of --memory for blocks in work, without the program, its libraries and tables.
-std::uint64_t memory_for_blocks(const RunOptions& options);
-
-// Returns the largest number of points in a block that the memory budget allows, at most the setting.
-std::uint64_t affordable_block_points(const RunOptions& options, int threads);
-
 }  // namespace ilot

@@ -28,6 +28,7 @@
 #include "engine/run/forced_isa.h"
 #include "engine/run/input_crs.h"
 #include "engine/run/input_places.h"
+#include "engine/run/memory_budget.h"
 #include "engine/run/open_inputs.h"
 #include "engine/run/output_folder.h"
 #include "engine/run/products.h"

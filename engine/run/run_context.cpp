@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engine/run/output_folder.h"
+#include "engine/run/memory_budget.h"
 
 namespace ilot {
 namespace {

@@ -35,7 +35,7 @@ std::optional<Pixels> read_pixels(GDALDataset& image, int width, int height) {
   INIT_RASTERIO_EXTRA_ARG(how);
   how.eResampleAlg = GRIORA_Average;
   if (bands < 3 || image.RasterIO(GF_Read, 0, 0, image.GetRasterXSize(), image.GetRasterYSize(), pixels.data(), width,
-                                  height, GDT_Byte, bands, nullptr, 4, 4 * width, 1, &how) != CE_None)
+                                  height, GDT_Byte, bands, nullptr, 4, GSpacing{4} * width, 1, &how) != CE_None)
     return std::nullopt;
   for (std::size_t i = 0; i < pixels.size(); i += 4)
     for (std::size_t c = 0; c < 3; ++c)
@@ -48,7 +48,7 @@ std::string jpeg_of(const Pixels& pixels, int width, int height) {
   const GDALDatasetUniquePtr picture(
       GetGDALDriverManager()->GetDriverByName("MEM")->Create("", width, height, 3, GDT_Byte, nullptr));
   if (!picture || picture->RasterIO(GF_Write, 0, 0, width, height, const_cast<GByte*>(pixels.data()), width, height,
-                                    GDT_Byte, 3, nullptr, 4, 4 * width, 1, nullptr) != CE_None)
+                                    GDT_Byte, 3, nullptr, 4, GSpacing{4} * width, 1, nullptr) != CE_None)
     return {};
   CPLStringList options;
   options.SetNameValue("QUALITY", "70");

@@ -51,7 +51,7 @@ std::string plane_charts(const PlanesOfReport& planes, const SampledPoints& samp
   return "<div class=\"charts\">" + html + "</div>\n";
 }
 
-std::string planes_table(std::vector<Segment> planes, const char* title) {
+std::string planes_table(const std::vector<Segment>& planes, const char* title) {
   HtmlTable table({{"plane"},
                    {"area, m²", true},
                    {"points", true},
