@@ -10,7 +10,7 @@
 
 #include "engine/error.h"
 #include "engine/report/progress.h"
-#include "engine/run/inputs.h"
+#include "engine/run/inputs/inputs.h"
 #include "engine/run/products.h"
 #include "engine/run/run.h"
 

@@ -87,7 +87,7 @@ double standard_value(const std::byte* record, const PointFields& f, const Recor
     default:
       break;
   }
-  return load<std::uint16_t>(record + *rgb_offset(layout.point_format) + 2 * (source - kRed));
+  return load<std::uint16_t>(record + *rgb_offset(layout.point_format) + std::ptrdiff_t{2} * (source - kRed));
 }
 
 double extra_value(const std::byte* p, FieldType type) {

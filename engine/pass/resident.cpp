@@ -28,6 +28,7 @@ int give_back_code(dl_phdr_info* object, std::size_t, void*) {
     if (part.p_type != PT_LOAD || (part.p_flags & PF_W) != 0) continue;
     const std::uintptr_t start = object->dlpi_addr + part.p_vaddr;
     const std::uintptr_t first = start / page * page, end = (start + part.p_memsz) / page * page;
+    // The address of a page, not of an object. NOLINTNEXTLINE(performance-no-int-to-ptr)
     if (end > first) madvise(reinterpret_cast<void*>(first), end - first, MADV_DONTNEED);
   }
   return 0;

@@ -7,9 +7,9 @@
 
 #include "engine/error.h"
 #include "engine/report/path_text.h"
-#include "engine/run/area_in_crs.h"
 #include "engine/run/finished_result.h"
 #include "engine/run/folder_lock.h"
+#include "engine/run/inputs/area_in_crs.h"
 #include "engine/run/run_context.h"
 #include "engine/run/run_request.h"
 #include "engine/settings/config.h"

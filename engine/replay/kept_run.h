@@ -8,7 +8,7 @@
 #include "engine/pass/index.h"
 #include "engine/products/streets/make_streets.h"
 #include "engine/report/progress.h"
-#include "engine/run/open_inputs.h"
+#include "engine/run/inputs/open_inputs.h"
 #include "engine/run/options.h"
 
 namespace ilot {

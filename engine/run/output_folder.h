@@ -9,7 +9,7 @@
 
 #include "engine/report/run_record.h"
 #include "engine/run/folder_lock.h"
-#include "engine/run/open_inputs.h"
+#include "engine/run/inputs/open_inputs.h"
 #include "engine/run/run_estimate.h"
 
 namespace ilot {

@@ -4,7 +4,7 @@
 #include "engine/pass/context.h"
 #include "engine/pass/input_lattice.h"
 #include "engine/report/progress.h"
-#include "engine/run/open_inputs.h"
+#include "engine/run/inputs/open_inputs.h"
 
 namespace ilot {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/report/progress.h"
-#include "engine/run/open_inputs.h"
+#include "engine/run/inputs/open_inputs.h"
 
 namespace ilot {
 

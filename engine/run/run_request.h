@@ -4,7 +4,7 @@
 #pragma once
 #include <string>
 
-#include "engine/run/open_inputs.h"
+#include "engine/run/inputs/open_inputs.h"
 
 namespace ilot {
 

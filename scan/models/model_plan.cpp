@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "engine/error.h"
-#include "engine/run/read_stations.h"
+#include "engine/run/inputs/read_stations.h"
 #include "scan/models/model_scan.h"
 
 namespace ilot::scan {

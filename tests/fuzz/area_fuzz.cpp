@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "engine/error.h"
-#include "engine/run/read_area.h"
+#include "engine/run/inputs/read_area.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ilot;

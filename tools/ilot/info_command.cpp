@@ -8,7 +8,7 @@
 #include "engine/error.h"
 #include "engine/formats/reader.h"
 #include "engine/pass/measure.h"
-#include "engine/run/inputs.h"
+#include "engine/run/inputs/inputs.h"
 #include "engine/run/suitability.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"

@@ -7,7 +7,7 @@
 
 #include "engine/error.h"
 #include "engine/replay/replay.h"
-#include "engine/run/read_area.h"
+#include "engine/run/inputs/read_area.h"
 #include "kernels/core/parallel.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"

@@ -7,7 +7,7 @@
 #include "engine/deliverables/drawings/cad/dxf_reader.h"
 #include "engine/deliverables/solids/solid_file.h"
 #include "engine/error.h"
-#include "engine/run/inputs.h"
+#include "engine/run/inputs/inputs.h"
 #include "engine/validity/validate_drawing.h"
 #include "engine/validity/validate_las.h"
 #include "tools/ilot/commands.h"

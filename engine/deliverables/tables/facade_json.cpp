@@ -123,7 +123,7 @@ FacadeBody body_of(const JsonNode& r) {
   b.closed = r.at("closed").flag();
   b.vertices = r.at("vertices").list([](const JsonNode& corner) { return corner.position(); });
   b.faces = r.at("faces").list([&](const JsonNode& face) {
-    const auto corners = face.list([](const JsonNode& corner) { return corner.id(); });
+    auto corners = face.list([](const JsonNode& corner) { return corner.id(); });
     if (corners.size() < 3) face.fail("needs three corners or more");
     for (const std::uint32_t i : corners)
       if (i >= b.vertices.size()) face.fail("names a vertex that is not there");

@@ -125,7 +125,7 @@ bool is_copc_name(const std::filesystem::path& path) {
 
 std::vector<RowRange> rows_in_box(const PointReader& reader, const Area& area) {
   const CloudInfo& info = reader.info();
-  const std::vector<RowRange> all{{0, info.points}};
+  std::vector<RowRange> all{{0, info.points}};
   const std::optional<Octree> tree = read_octree(info);
   if (!tree) return all;
   const std::vector<std::uint64_t> boundaries = reader.boundaries();

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kSectionHeader = 32, kDataHeader = 6, kPadding = 16;
 constexpr std::uint64_t kMostHeld = 16u << 20;
 constexpr std::uint64_t kMostConstant = 1024;  // points without any bits
-constexpr std::uint8_t kSectionId = 1, kIndexPacket = 0, kDataPacket = 1, kEmptyPacket = 2;
+constexpr std::uint8_t kSectionId = 1, kDataPacket = 1, kEmptyPacket = 2;
 
 bool is_read(const Field& field) {
   return field.use != kUses && field.bits > 0;

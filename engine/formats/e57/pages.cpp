@@ -10,7 +10,7 @@
 namespace ilot::e57 {
 namespace {
 
-constexpr std::size_t kWindow = 128 * 1024;
+constexpr std::size_t kWindow = std::size_t{128} << 10;
 constexpr std::uint32_t kPolynomial = 0x82F63B78;
 
 using Tables = std::array<std::array<std::uint32_t, 256>, 8>;

@@ -72,12 +72,12 @@ void read_transform(const InputFile& file, const HeaderView& header, CloudInfo& 
     if (!(scale >= kFinestScale && scale <= kCoarsestScale)) {
       char text[64];
       std::snprintf(text, sizeof text, " is %g; %g to %g are read", scale, kFinestScale, kCoarsestScale);
-      refuse(file,
-             "scale of " + name + " at byte " + std::to_string(las::kScale + 8u * static_cast<unsigned>(axis)) + text);
+      refuse(file, "scale of " + name + " at byte " +
+                       std::to_string(las::kScale + std::size_t{8} * static_cast<unsigned>(axis)) + text);
     }
     if (!std::isfinite(std::abs(offset) + scale * 2147483648.0))
-      refuse(file, "offset of " + name + " at byte " + std::to_string(las::kOffset + 8u * static_cast<unsigned>(axis)) +
-                       " is not usable");
+      refuse(file, "offset of " + name + " at byte " +
+                       std::to_string(las::kOffset + std::size_t{8} * static_cast<unsigned>(axis)) + " is not usable");
   }
   info.declared_max = {header.at<double>(las::kBounds), header.at<double>(las::kBounds + 16),
                        header.at<double>(las::kBounds + 32)};

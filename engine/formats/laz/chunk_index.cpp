@@ -12,7 +12,7 @@ namespace ilot::laz {
 namespace {
 
 constexpr std::uint64_t kScanBlock = 1024;  // greatest number of points between two tests for the end of the stream
-constexpr std::uint64_t kScanBytes = 256 * 1024;  // greatest number of their bytes
+constexpr std::uint64_t kScanBytes = std::uint64_t{256} << 10;  // greatest number of their bytes
 
 class Indexer {
  public:

@@ -51,6 +51,7 @@ class Decoder {
                                               std::uint32_t symbols = kCapacity) {
     model.prepare(epoch_, symbols);
     const std::uint32_t unit = length_ >> kSymbolShift;
+    // renormalise() keeps length_ at 2^24 and above. NOLINTNEXTLINE(clang-analyzer-core.DivideZero)
     const std::uint32_t s = model.find(value_ / unit);
     const std::uint32_t low = model.below(s) * unit;
     const std::uint32_t last = s == model.last_symbol(), mask = 0u - last;  // no branch that depends on the data

@@ -11,7 +11,7 @@ namespace ilot {
 namespace {
 
 // The greatest number of points, and of bytes, that are decoded at a time to reach the first wanted point.
-constexpr std::uint64_t kSkipBlock = 512, kSkipBytes = 64 * 1024;
+constexpr std::uint64_t kSkipBlock = 512, kSkipBytes = std::uint64_t{64} << 10;
 
 // A decoder in the middle of a chunk, ready to continue.
 struct Cursor {

@@ -49,7 +49,8 @@ class LazWriter final : public PointWriter {
   }
 
  private:
-  LazWriter(const std::filesystem::path& path, LasPlan plan, const LazOptions& options, std::uint64_t waiting_bytes)
+  LazWriter(const std::filesystem::path& path, const LasPlan& plan, const LazOptions& options,
+            std::uint64_t waiting_bytes)
       : LazWriter(path, plan, compression_of(plan, rows_per_chunk(plan.layout, options.chunk_points)), waiting_bytes) {}
 
   LazWriter(const std::filesystem::path& path, const LasPlan& plan, const laz::Compression& compression,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/run/row_stations.h"
+#include "engine/run/inputs/row_stations.h"
 
 #include <gtest/gtest.h>
 

@@ -30,7 +30,8 @@ void close_gaps(DepthImage& image) {
       std::array<int, 3> votes{};
       for (std::int64_t dr = -1; dr <= 1; ++dr)
         for (std::int64_t dc = -1; dc <= 1; ++dc)
-          if (const int near = before[static_cast<std::size_t>(i + dr * image.columns + dc)]; near != kNothing)
+          if (const std::ptrdiff_t near = before[static_cast<std::size_t>(i + dr * image.columns + dc)];
+              near != kNothing)
             ++votes[static_cast<std::size_t>(near + 1)];
       const auto most = std::max_element(votes.begin(), votes.end());
       if (*most >= kNeighbours)

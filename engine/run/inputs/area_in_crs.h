@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include "engine/cloud/area.h"
-#include "engine/run/open_inputs.h"
+#include "engine/run/inputs/open_inputs.h"
 
 namespace ilot {
 

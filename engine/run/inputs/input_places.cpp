@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/run/input_places.h"
+#include "engine/run/inputs/input_places.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include "engine/run/open_inputs.h"
+#include "engine/run/inputs/open_inputs.h"
 
 namespace ilot {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/run/inputs.h"
+#include "engine/run/inputs/inputs.h"
 
 #include <glob.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/run/read_stations.h"
+#include "engine/run/inputs/read_stations.h"
 
 #include <algorithm>
 #include <array>

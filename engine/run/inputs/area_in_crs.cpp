@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/run/area_in_crs.h"
+#include "engine/run/inputs/area_in_crs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include "engine/error.h"
 #include "engine/formats/crs.h"
 #include "engine/formats/crs_transform.h"
-#include "engine/run/input_crs.h"
-#include "engine/run/input_places.h"
+#include "engine/run/inputs/input_crs.h"
+#include "engine/run/inputs/input_places.h"
 
 namespace ilot {
 namespace {

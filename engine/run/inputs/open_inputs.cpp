@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/run/open_inputs.h"
+#include "engine/run/inputs/open_inputs.h"
 
 #include <map>
 #include <set>
@@ -7,9 +7,9 @@
 #include "engine/error.h"
 #include "engine/formats/crs.h"
 #include "engine/pass/pass.h"
-#include "engine/run/input_crs.h"
-#include "engine/run/read_stations.h"
-#include "engine/run/row_stations.h"
+#include "engine/run/inputs/input_crs.h"
+#include "engine/run/inputs/read_stations.h"
+#include "engine/run/inputs/row_stations.h"
 
 namespace ilot {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/run/input_crs.h"
+#include "engine/run/inputs/input_crs.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "engine/formats/changed_reader.h"
 #include "engine/formats/crs.h"
 #include "engine/formats/crs_transform.h"
-#include "engine/run/input_places.h"
+#include "engine/run/inputs/input_places.h"
 
 namespace ilot {
 namespace {
