@@ -13,6 +13,7 @@ LAYER_SEES = {
     "engine": {"engine", "kernels"},
     "training": {"training", "engine", "kernels"},
     "scan": {"scan", "engine", "kernels"},
+    "python": {"python"},
     "tools": {"tools", "scan", "training", "engine", "kernels"},
     "study": {"study", "tests", "tools", "scan", "training", "engine", "kernels"},
     "bench": {"bench", "tests", "tools", "engine", "kernels"},

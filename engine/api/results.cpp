@@ -7,6 +7,7 @@
 #include "engine/deliverables/tables/facade_json.h"
 #include "engine/deliverables/tables/planes_csv.h"
 #include "engine/error.h"
+#include "engine/model/point_label.h"
 #include "ilot/facades.h"
 #include "ilot/planes.h"
 #include "ilot/roofs.h"
@@ -79,6 +80,10 @@ StreetPlan read_streets(const fs::path& run_folder) {
   plan.objects = read_objects_gpkg(result_file(run_folder, "streets/objects.gpkg", "streets"));
   read_blocks_gpkg(result_file(run_folder, "streets/blocks.gpkg", "streets"), plan);
   return plan;
+}
+
+std::string label_name(PointLabel label) {
+  return label == PointLabel::none ? "none" : point_label_names().at(static_cast<std::uint32_t>(label));
 }
 
 }  // namespace ilot

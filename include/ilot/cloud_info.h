@@ -95,4 +95,7 @@ enum class PointLabel : std::uint8_t {
   other = 13,  // stands on the ground and is none of these
 };
 
+// "none", "ground", "car" ...: the name of the enumerator, as files have it.
+std::string label_name(PointLabel label);
+
 }  // namespace ilot

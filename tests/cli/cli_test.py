@@ -26,7 +26,7 @@ class Cli(CliCase):
         self.refuse(["run", c, "-o", o, "--set", "planes.epsilon=99"], "out of range: 0.0001 to 10 m")
         self.refuse(["run", c, "-o", o, "--set", "planes.epsilon"], "KEY=VALUE")
         self.refuse(["run", c, "-o", o, "--block-points", "5"], "256 to 67108864")
-        self.refuse(["run", c, "-o", o, "--threads", "0"], "--threads")
+        self.refuse(["run", c, "-o", o, "--threads", "0"], "--threads 0: a number from 1 to 1024 is expected")
         self.refuse(["run", c, "-o", o, "--memory", "lots"], "--memory lots")
         self.refuse(["run", c, "-o", o, "--memory", "1K"], "--memory")
         self.refuse(["run", c, "-o", o, "--memory", "2GiBs"], "--memory")

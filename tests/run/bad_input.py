@@ -137,7 +137,7 @@ class BadInput(RunTest):
         self.refuse(self.folder / "none.las", "none.las: no such file", code=2)
         for arguments, words in ((["--set", "planes.epsilom=1"], ["planes.epsilom", "planes.epsilon"]),
                                  (["--set", "planes.epsilon=99"], ["planes.epsilon", "0.0001 to 10"]),
-                                 (["--threads", "0"], ["threads"]), (["--memory", "1M"], ["memory"]),
+                                 (["--threads", "x"], ["--threads x: a number from"]), (["--memory", "1M"], ["memory"]),
                                  (["--bounds", "1,1,1,1"], ["bounds"])):
             self.refuse(self.good, *words, code=2, arguments=arguments)
         self.refuse(self.good, "rejected", arguments=["--bounds", "90000,90000,90001,90001"])

@@ -63,6 +63,10 @@ std::string usage_fault(const CLI::App& app, const CLI::ParseError& fault) {
   std::string what = fault.what();
   if (const std::size_t at = what.find(": 1 required "); at != std::string::npos)
     what = what.substr(0, at) + ": a value must follow";
+  const std::size_t value = what.find(": Value "), range = what.find(" not in range ");  // the library's words
+  if (value != std::string::npos && range != std::string::npos)
+    what = what.substr(0, value) + " " + what.substr(value + 8, range - value - 8) + ": a number from " +
+           what.substr(range + 14) + " is expected";
   return what + help;
 }
 

@@ -280,10 +280,11 @@ void note_lattice(CloudInfo& info, const TableLattice& lattice) {
   constexpr int kUsual = 4;
   if (lattice.zeros_beyond > 0)
     info.warnings.push_back(std::to_string(lattice.zeros_beyond) +
-                            " rows are 0 0 0, far from all others (rays without an echo): they are rejected");
+                            (lattice.zeros_beyond == 1 ? " row is" : " rows are") +
+                            " 0 0 0, far from all others (rays without an echo): rejected");
   if (lattice.beyond > 0)
-    info.warnings.push_back(std::to_string(lattice.beyond) +
-                            " rows are so far from all others that 32 bits do not reach them: they are rejected");
+    info.warnings.push_back(std::to_string(lattice.beyond) + (lattice.beyond == 1 ? " row is" : " rows are") +
+                            " so far from all others that 32 bits do not reach so far: rejected");
   const bool rounds = lattice.decimals == TableLattice::kUnknown || lattice.decimals > lattice.kept;
   if (lattice.kept < kUsual && rounds)
     info.warnings.push_back("the points are so far apart that only " + std::to_string(lattice.kept) +

@@ -116,6 +116,8 @@ std::vector<Station> read_stations(const std::filesystem::path& path) {
   ColumnOrder order;
   for (std::size_t number = 1; lines.next(line); ++number) {
     const std::string where = path.string() + ":" + std::to_string(number);
+    if (line.find('\0') != std::string_view::npos)
+      refuse_stations(path.string(), "is no text; a stations file has a line x y z for each station");
     split_fields(line, kNames.size() + 1, fields);
     if (fields.empty() || fields[0].empty() || fields[0].front() == '#') continue;
     if (order.empty() && is_header(fields)) {

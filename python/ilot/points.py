@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Functions over points in memory. x, y, z: float64 arrays of one length. `step`: of the lattice that points are rounded to, 0 =
+chosen from their extent (0.0001 up to 419 m). `threads`: 0 = all; no result depends on it."""
+from . import _ilot
+
+
+def nearest_neighbours(x, y, z, count=16, *, max_distance=0.0, step=0.0, threads=0):
+    """Returns (index, distance), both of shape (points, count), the nearest first, which is the point itself. Where fewer lie
+    within max_distance (0 = however far), index is 2**32 - 1 and distance infinite."""
+    return _ilot.nearest_neighbours(x, y, z, count, max_distance, step, threads)
+
+
+def estimate_normals(x, y, z, count=16, *, max_distance=0.0, step=0.0, threads=0):
+    """Returns (nx, ny, nz, curvature), float32: unit normals that point up, 0, 0, 0 where there is none, from the principal
+    components of `count` neighbours; curvature is 0 on a plane and 1/3 in a ball."""
+    return _ilot.estimate_normals(x, y, z, count, max_distance, step, threads)
+
+
+def euclidean_clusters(x, y, z, radius, *, step=0.0):
+    """Returns (id, count): points at most `radius` apart are in one cluster, numbered from 0 by first appearance."""
+    return _ilot.euclidean_clusters(x, y, z, radius, step)
+
+
+def find_planes(x, y, z, *, epsilon=None, normal_angle_deg=None, min_points=None, connectivity=None, probability=0.99, seed=0,
+                step=0.0, threads=0):
+    """Finds planes by random sample consensus. What is None is chosen from the points. Returns a dict: label (uint32 a point,
+    0 = none, else 1 + row of planes), planes of shape (n, 4): nx, ny, nz, d with n . p + d = 0, and the values that were
+    used. Every labelled point lies within epsilon of its plane."""
+    return _ilot.find_planes(x, y, z, epsilon, normal_angle_deg, min_points, connectivity, probability, seed, step, threads)
+
+
+def delaunay(x, y, *, step=0.0):
+    """Returns the Delaunay triangulation in plan: corners of shape (triangles, 3), which turn left."""
+    return _ilot.delaunay(x, y, step)
+
+
+def alpha_shape(x, y, reach, *, fill_holes=False, step=0.0):
+    """Returns (polygons, area): the triangles of circumradius `reach` at most, joined. A polygon is a list of rings of indices
+    of points: its outer ring counter-clockwise, then its holes clockwise."""
+    return _ilot.alpha_shape(x, y, reach, fill_holes, step)

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The results of a run, read back. Planes, buildings and objects have __geo_interface__, so that
+geopandas.GeoDataFrame.from_features(list) makes a table of them; their geometry is in plan, in the CRS of the clouds."""
+import dataclasses
+import math
+
+from . import _ilot
+
+
+def _feature(geometry, properties):
+    return {"type": "Feature", "geometry": geometry, "properties": properties}
+
+
+def _closed(ring):
+    """A ring of a GeoJSON geometry in plan: the first corner comes again at the end."""
+    corners = [(float(p[0]), float(p[1])) for p in ring]
+    return corners + corners[:1]
+
+
+@dataclasses.dataclass(frozen=True)
+class PlaneSegment:
+    """A plane and its outline. n . p + d = 0 with the unit vector `normal`, which points up."""
+    id: int
+    normal: tuple
+    d: float
+    points: int
+    centroid: tuple
+    rms_m: float
+    epsilon_m: float  # none of its points is farther away
+    area_m2: float
+    confidence: float
+    outline: list  # parts of rings of shape (corners, 3): the outer ring, then its holes
+
+    @property
+    def __geo_interface__(self):
+        geometry = {"type": "MultiPolygon", "coordinates": [[_closed(r) for r in part] for part in self.outline]}
+        properties = {f.name: getattr(self, f.name) for f in dataclasses.fields(self)
+                      if f.name not in ("normal", "centroid", "outline")}
+        return _feature(geometry, properties)
+
+
+@dataclasses.dataclass(frozen=True)
+class Surface:
+    kind: str  # roof, wall, ground
+    rings: list  # of indices of vertices: the outer ring counter-clockwise seen from outside, then its holes
+
+
+@dataclasses.dataclass(frozen=True)
+class Building:
+    """A building. levels: {"2.2": (vertices of shape (n, 3), surfaces)}, the highest level of detail last."""
+    id: str
+    attributes: dict  # docs/outputs.md has their meanings and units
+    levels: dict
+
+    @property
+    def __geo_interface__(self):
+        """The roof of the highest level in plan, else the outline on the ground."""
+        vertices, surfaces = next(reversed(self.levels.values())) if self.levels else ([], [])
+        kind = "roof" if any(s.kind == "roof" for s in surfaces) else "ground"
+        rings = [[_closed(vertices[i] for i in ring) for ring in s.rings] for s in surfaces if s.kind == kind]
+        return _feature({"type": "MultiPolygon", "coordinates": rings}, {"id": self.id, **self.attributes})
+
+
+@dataclasses.dataclass(frozen=True)
+class Element:
+    """A window, door, sill, balcony, band ... of a facade."""
+    id: int
+    kind: str
+    opening: bool  # a hole in the wall
+    family: int  # equal elements share it; 0 = none
+    row: int
+    column: int
+    status: str  # seen, completed, occluded
+    reason: str
+    ring: object  # array of shape (corners, 3)
+    edge_error_m: object  # array: bound on the place of each edge
+    edge_status: list
+    width_m: float
+    height_m: float
+    depth_m: float
+    width_error_m: float
+    height_error_m: float
+    points: int
+
+
+@dataclasses.dataclass(frozen=True)
+class Facade:
+    """A wall with its elements. right, up, out: its axes of unit length."""
+    id: int
+    crs: str
+    origin: tuple
+    right: tuple
+    up: tuple
+    out: tuple
+    width_m: float
+    height_m: float
+    elements: list
+
+
+@dataclasses.dataclass(frozen=True)
+class StreetObject:
+    id: int
+    label: str  # car, lamppost, pedestrian, other
+    probability: float  # of that class
+    base: tuple  # on the ground
+    middle: tuple  # of its extent, on the ground
+    height_m: float
+    length_m: float
+    width_m: float
+    heading_deg: float  # of the length, from x towards y
+    area_m2: float
+    points: int
+
+    @property
+    def __geo_interface__(self):
+        """The extent of the object in plan."""
+        angle = math.radians(self.heading_deg)
+        along = (math.cos(angle) * self.length_m / 2, math.sin(angle) * self.length_m / 2)
+        across = (-math.sin(angle) * self.width_m / 2, math.cos(angle) * self.width_m / 2)
+        corners = [(self.middle[0] + a * along[0] + b * across[0], self.middle[1] + a * along[1] + b * across[1])
+                   for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        properties = {f.name: getattr(self, f.name) for f in dataclasses.fields(self) if f.name not in ("base", "middle")}
+        return _feature({"type": "Polygon", "coordinates": [_closed(corners)]}, properties)
+
+
+def read_planes(folder):
+    """Returns a list of PlaneSegment, by id from 1."""
+    return [PlaneSegment(**one) for one in _ilot.read_planes(folder)]
+
+
+def read_roofs(folder):
+    """Returns a list of Building, in the order of the file."""
+    return [Building(name, attributes, {lod: (vertices, [Surface(*s) for s in surfaces]) for lod, vertices, surfaces in levels})
+            for name, attributes, levels in _ilot.read_roofs(folder)]
+
+
+def read_facades(folder):
+    """Returns a list of Facade, the largest wall first."""
+    return [Facade(**{**one, "elements": [Element(**e) for e in one["elements"]]}) for one in _ilot.read_facades(folder)]
+
+
+def read_streets(folder):
+    """Returns a list of StreetObject, by id from 1."""
+    return [StreetObject(**one) for one in _ilot.read_streets(folder)]

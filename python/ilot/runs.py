@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Whole runs: the same as the command `ilot run`. Each product is a function whose keywords are its settings."""
+import dataclasses
+import difflib
+import inspect
+import os
+
+from . import _ilot
+
+_PRODUCTS = ("planes", "roofs", "facades", "streets")
+
+
+@dataclasses.dataclass(frozen=True)
+class RunResult:
+    """What a run did, as run.json says it. exit: 0, or 3 where something was skipped."""
+    exit: int
+    folder: os.PathLike
+    products: list
+    points_read: int
+    points_labelled: int
+    points_unlabelled: int
+    points_rejected: dict  # reason -> points
+    skipped: list  # (what, where, reason)
+    warnings: list
+    chosen: dict  # setting that was auto -> the value that was used
+    files: list  # of the result, relative to the folder
+    clouds: list  # labelled clouds, relative to the folder
+    seconds: float
+    peak_memory_bytes: int
+    result_hash: str
+
+
+def run(inputs, output, *, products=("planes",), settings=None, memory="2G", threads=0, footprints="", id_field="", stations="",
+        train="", bounds=None, crs="", to_crs="", existing="refuse", strict=False, keep_store=False, clouds=True, report=True,
+        store="", progress=None, message=None):
+    """Makes the products of the clouds in the folder `output`, which appears when it is whole. Returns a RunResult.
+
+    inputs: a path or several (files, folders, patterns). settings: {"planes.epsilon": 0.02}; parameters() lists them. memory:
+    bytes or "512M". bounds: (x0, y0, x1, y1) in CRS units. existing: refuse, resume or overwrite. progress(stage, done, total,
+    seconds) and message(line) are called while it works; what they raise stops the run and is raised again. Ctrl-C raises
+    KeyboardInterrupt, and existing="resume" continues."""
+    if isinstance(inputs, (str, os.PathLike)):
+        inputs = [inputs]
+    if isinstance(products, str):
+        products = [products]
+    return RunResult(**_ilot.run(list(inputs), output, list(products), settings or {}, memory=memory, threads=threads,
+                                 footprints=footprints, id_field=id_field, stations=stations, train=train, bounds=bounds,
+                                 crs=crs, to_crs=to_crs, existing=existing, strict=strict, keep_store=keep_store, clouds=clouds,
+                                 report=report, store=store, progress=progress, message=message))
+
+
+def read_run(folder):
+    """Returns the RunResult of a finished run."""
+    return RunResult(**_ilot.read_run(folder))
+
+
+def parameters():
+    """Returns all settings: a list of dicts of key, default, range, unit, help, advanced."""
+    return _ilot.parameters()
+
+
+_RUN_WORDS = [word for word in inspect.signature(run).parameters if word != "products"]
+
+
+def _product(name):
+    """Returns the function of one product. Its keywords are those of run() and the settings of the product's section."""
+    prefix = name + "."
+    own = [p for p in parameters() if p["key"].startswith(prefix)]
+    keywords = {p["key"].removeprefix(prefix).replace(".", "_"): p["key"] for p in own}
+
+    def make(inputs, output, **arguments):
+        settings = dict(arguments.pop("settings", None) or {})
+        for word, key in keywords.items():
+            if word in arguments:
+                settings[key] = arguments.pop(word)
+        for word in arguments:
+            if word not in _RUN_WORDS:
+                near = difflib.get_close_matches(word, [*keywords, *_RUN_WORDS], 1)
+                raise TypeError(f"{name}() has no keyword {word}" + (f"; did you mean {near[0]}?" if near else ""))
+        return run(inputs, output, products=[name], settings=settings, **arguments)
+
+    lines = [f"    {word}: {p['help']} ({', '.join(t for t in (p['range'], p['unit']) if t)}) [{p['default']}]"
+             for word, p in zip(keywords, own) if not p["advanced"]]
+    make.__name__ = make.__qualname__ = name
+    make.__doc__ = f"Makes {name} of the clouds: run() with these settings as keywords.\n\n" + "\n".join(lines)
+    of_run = [p for word, p in inspect.signature(run).parameters.items() if word in _RUN_WORDS]
+    more = [inspect.Parameter(word, inspect.Parameter.KEYWORD_ONLY, default=None) for word in keywords]
+    make.__signature__ = inspect.Signature(of_run + more)
+    return make
+
+
+planes, roofs, facades, streets = (_product(name) for name in _PRODUCTS)

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "ilot/facades.h"
+#include "ilot/planes.h"
+#include "ilot/roofs.h"
+#include "ilot/streets.h"
+#include "python/module/arrays.h"
+#include "python/module/bindings.h"
+
+namespace ilot {
+
+namespace {
+
+py::dict attributes_of(const std::vector<std::pair<std::string, AttributeValue>>& attributes) {
+  py::dict out;
+  for (const auto& [name, value] : attributes) out[name.c_str()] = py::cast(value);
+  return out;
+}
+
+py::list parts_of(const Outline& outline) {
+  py::list parts;
+  for (const Outline::Part& part : outline.parts) {
+    py::list rings;
+    for (const Outline::Ring& ring : part) rings.append(array_of(ring));
+    parts.append(rings);
+  }
+  return parts;
+}
+
+py::list planes_python(const std::filesystem::path& folder) {
+  PlaneSet set;
+  {
+    const py::gil_scoped_release released;
+    set = read_planes(folder);
+  }
+  py::list out;
+  for (std::size_t i = 0; i < set.segments.size(); ++i) {
+    const Segment& s = set.segments[i];
+    py::dict one;
+    one["id"] = s.id;
+    one["normal"] = tuple_of(s.plane.n);
+    one["d"] = s.plane.d;
+    one["points"] = s.points;
+    one["centroid"] = tuple_of(s.centroid);
+    one["rms_m"] = s.rms_m;
+    one["epsilon_m"] = s.epsilon_m;
+    one["area_m2"] = s.area_m2;
+    one["confidence"] = s.confidence;
+    one["outline"] = parts_of(set.outlines[i]);
+    out.append(one);
+  }
+  return out;
+}
+
+constexpr const char* kSurfaceKinds[] = {"roof", "wall", "ground"};
+
+py::list levels_of(const BuildingModel& model) {
+  py::list levels;
+  for (const Building& b : model.levels) {
+    py::list surfaces;
+    for (const BuildingSurface& s : b.surfaces)
+      surfaces.append(py::make_tuple(kSurfaceKinds[static_cast<std::size_t>(s.kind)], s.rings));
+    levels.append(py::make_tuple(b.lod, array_of(b.vertices), surfaces));
+  }
+  return levels;
+}
+
+py::list roofs_python(const std::filesystem::path& folder) {
+  std::vector<BuildingModel> models;
+  {
+    const py::gil_scoped_release released;
+    models = read_roofs(folder);
+  }
+  py::list out;
+  for (const BuildingModel& m : models) out.append(py::make_tuple(m.id, attributes_of(m.attributes), levels_of(m)));
+  return out;
+}
+
+constexpr const char* kStatus[] = {"seen", "completed", "occluded"};
+
+py::dict element_of(const FacadeElement& e) {
+  py::dict one;
+  one["id"] = e.id;
+  one["kind"] = e.kind;
+  one["opening"] = e.opening;
+  one["family"] = e.family;
+  one["row"] = e.row;
+  one["column"] = e.column;
+  one["status"] = kStatus[static_cast<std::size_t>(e.status)];
+  one["reason"] = e.reason;
+  one["ring"] = array_of(e.ring);
+  std::vector<double> errors;
+  py::list statuses;
+  for (const FacadeEdge& edge : e.edges) {
+    errors.push_back(edge.error_m);
+    statuses.append(kStatus[static_cast<std::size_t>(edge.status)]);
+  }
+  one["edge_error_m"] = array_from(std::move(errors));
+  one["edge_status"] = statuses;
+  one["width_m"] = e.width_m;
+  one["height_m"] = e.height_m;
+  one["depth_m"] = e.depth_m;
+  one["width_error_m"] = e.width_error_m;
+  one["height_error_m"] = e.height_error_m;
+  one["points"] = e.points;
+  return one;
+}
+
+py::list facades_python(const std::filesystem::path& folder) {
+  std::vector<Facade> facades;
+  {
+    const py::gil_scoped_release released;
+    facades = read_facades(folder);
+  }
+  py::list out;
+  for (const Facade& f : facades) {
+    py::list elements;
+    for (const FacadeElement& e : f.elements) elements.append(element_of(e));
+    py::dict one;
+    one["id"] = f.id;
+    one["crs"] = f.crs;
+    one["origin"] = tuple_of(f.origin);
+    one["right"] = tuple_of(f.right);
+    one["up"] = tuple_of(f.up);
+    one["out"] = tuple_of(f.out);
+    one["width_m"] = f.width_m;
+    one["height_m"] = f.height_m;
+    one["elements"] = elements;
+    out.append(one);
+  }
+  return out;
+}
+
+py::list streets_python(const std::filesystem::path& folder) {
+  StreetPlan plan;
+  {
+    const py::gil_scoped_release released;
+    plan = read_streets(folder);
+  }
+  py::list out;
+  for (const StreetObject& o : plan.objects) {
+    py::dict one;
+    one["id"] = o.id;
+    one["label"] = label_name(o.label);
+    one["probability"] = o.probability;
+    one["base"] = tuple_of(o.base);
+    one["middle"] = tuple_of(o.middle);
+    one["height_m"] = o.height_m;
+    one["length_m"] = o.length_m;
+    one["width_m"] = o.width_m;
+    one["heading_deg"] = o.heading_deg;
+    one["area_m2"] = o.area_m2;
+    one["points"] = o.points;
+    out.append(one);
+  }
+  return out;
+}
+
+}  // namespace
+
+void bind_results(py::module_& m) {
+  m.def("read_planes", &planes_python);
+  m.def("read_roofs", &roofs_python);
+  m.def("read_facades", &facades_python);
+  m.def("read_streets", &streets_python);
+}
+
+}  // namespace ilot

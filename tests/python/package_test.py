@@ -1,0 +1,209 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The Python package `ilot` from outside. ILOT_EXE names the program with which it is compared."""
+import doctest
+import importlib.util
+import inspect
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+
+import numpy as np
+
+import ilot
+
+EXE = os.environ["ILOT_EXE"]
+
+
+class Package(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.room = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.room.name)
+        cls.cloud = cls.folder / "cloud.laz"
+        subprocess.run([EXE, "scan", "district", "-o", cls.cloud, "--points", "60000", "-q"], check=True)
+        cls.points = ilot.read_cloud(cls.cloud)
+        cls.places = cls.points["x"], cls.points["y"], cls.points["z"]
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.room.cleanup()
+
+    def refused(self, words, function, *arguments, code=2, **keywords):
+        with self.assertRaises(ilot.Error) as fault:
+            function(*arguments, **keywords)
+        self.assertEqual(fault.exception.code, code)
+        self.assertIn(words, str(fault.exception))
+
+    def test_runs_are_those_of_the_program(self):
+        subprocess.run([EXE, "run", self.cloud, "-o", self.folder / "program", "-q", "--products", "planes,roofs", "--set",
+                        "roofs.detail=0.1"], check=True)
+        stages = []
+        result = ilot.run(self.cloud, self.folder / "python", products=["planes", "roofs"], settings={"roofs.detail": 0.1},
+                          memory="512M", progress=lambda stage, *rest: stages.append(stage))
+        self.assertEqual(result.result_hash, json.loads((self.folder / "program/run.json").read_text())["result_hash"])
+        self.assertEqual(result, ilot.read_run(self.folder / "python"))
+        self.assertEqual(result.exit, 0)
+        self.assertEqual(result.points_read, len(self.points["x"]))
+        self.assertIn("roofs", stages)
+        again = ilot.roofs([self.cloud], self.folder / "again", detail=0.1, report=False)  # a second run in this process
+        self.assertEqual(again.products, ["roofs"])
+        self.check_planes(ilot.read_planes(self.folder / "python"))
+        self.check_roofs(ilot.read_roofs(self.folder / "again"))
+        self.refused("exists already", ilot.run, self.cloud, self.folder / "python")
+
+    def check_planes(self, planes):
+        self.assertEqual([p.id for p in planes], list(range(1, len(planes) + 1)))
+        largest = max(planes, key=lambda p: p.area_m2)
+        self.assertAlmostEqual(float(np.dot(largest.normal, largest.centroid)) + largest.d, 0, 3)
+        self.assertEqual(largest.__geo_interface__["geometry"]["type"], "MultiPolygon")
+        self.assertEqual(largest.__geo_interface__["properties"]["points"], largest.points)
+
+    def check_roofs(self, buildings):
+        whole = [b for b in buildings if b.attributes["status"] == "lod22"]
+        self.assertGreater(len(whole), 0)
+        vertices, surfaces = whole[0].levels["2.2"]
+        self.assertEqual(vertices.shape[1], 3)
+        self.assertEqual({s.kind for s in surfaces}, {"roof", "wall", "ground"})
+        self.assertTrue(all(i < len(vertices) for s in surfaces for ring in s.rings for i in ring))
+        roof = whole[0].__geo_interface__
+        self.assertEqual(len(roof["geometry"]["coordinates"]), sum(s.kind == "roof" for s in surfaces))
+        ring = roof["geometry"]["coordinates"][0][0]
+        self.assertEqual(ring[0], ring[-1])
+
+    def test_facades_and_streets_are_read_back(self):
+        front, street = self.folder / "front.laz", self.folder / "street.laz"
+        subprocess.run([EXE, "scan", "facade-restoration", "-o", front, "--points", "60000", "-q"], check=True)
+        subprocess.run([EXE, "scan", "street", "-o", street, "--points", "150000", "-q", "--set", "scene.blocks=2"], check=True)
+        ilot.facades(front, self.folder / "front", stations=front.with_suffix(".stations.csv"), report=False)
+        facade = ilot.read_facades(self.folder / "front")[0]
+        windows = [e for e in facade.elements if e.kind == "window"]
+        self.assertGreater(len(windows), 5)
+        self.assertEqual(windows[0].ring.shape[1], 3)
+        self.assertEqual(len(windows[0].edge_error_m), len(windows[0].edge_status))
+        ilot.streets(street, self.folder / "street", report=False)
+        found = ilot.read_streets(self.folder / "street")
+        self.assertGreater(len(found), 0)
+        self.assertTrue({o.label for o in found} <= {"car", "lamppost", "pedestrian", "other"})
+        corners = np.array(found[0].__geo_interface__["geometry"]["coordinates"][0])
+        self.assertAlmostEqual(float(np.hypot(*(corners[1] - corners[0]))), found[0].length_m, 6)
+
+    def test_clouds_go_out_and_come_in(self):
+        for name in ("a.laz", "b.las", "c.ply"):
+            ilot.write_cloud(self.folder / name, *self.places, intensity=self.points["intensity"],
+                             classification=self.points["classification"], crs="EPSG:2154")
+            back = ilot.read_cloud(self.folder / name)
+            for column in ("x", "y", "z"):
+                self.assertLess(np.abs(back[column] - self.points[column]).max(), 0.00051)
+            self.assertTrue((back["classification"] == self.points["classification"]).all())
+        info = ilot.info(self.folder / "a.laz")
+        self.assertEqual((info["valid_points"], info["crs"]), (len(self.places[0]), "EPSG:2154"))
+        self.assertTrue(info["suits"]["roofs"][0])
+        self.assertEqual(len(ilot.read_cloud(self.cloud, first=100, most=10)["x"]), 10)
+        self.refused("No such file", ilot.read_cloud, self.folder / "none.laz", code=1)
+
+    def test_functions_over_points(self):
+        x, y, z = self.places
+        index, distance = ilot.nearest_neighbours(x, y, z, 4)
+        self.assertEqual(index.shape, (len(x), 4))
+        self.assertAlmostEqual(float(distance[7, 3]), float(np.linalg.norm([c[7] - c[index[7, 3]] for c in (x, y, z)])), 3)
+        normals = np.stack(ilot.estimate_normals(x, y, z)[:3])
+        length = np.linalg.norm(normals, axis=0)
+        self.assertTrue(((np.abs(length - 1) < 1e-3) | (length == 0)).all())
+        self.assertTrue((normals[2] >= 0).all())
+        found = ilot.find_planes(x, y, z, epsilon=0.1)
+        on = found["label"] > 0
+        planes = found["planes"][found["label"][on] - 1]
+        self.assertLessEqual(np.abs((planes[:, :3] * np.stack([x, y, z], 1)[on]).sum(1) + planes[:, 3]).max(), 0.1 + 1e-6)
+        one = ilot.find_planes(x, y, z, epsilon=0.1, threads=1)
+        self.assertTrue((one["label"] == found["label"]).all(), "no result depends on the threads")
+        triangles = ilot.delaunay(x, y)
+        a, b, c = (np.stack([x, y], 1)[triangles[:, k]] for k in range(3))
+        self.assertTrue(((b - a)[:, 0] * (c - a)[:, 1] > (b - a)[:, 1] * (c - a)[:, 0]).all(), "they turn left")
+        polygons, area = ilot.alpha_shape(x, y, 2.0)
+        self.assertGreater(area, 0)
+        self.assertGreater(len(polygons[0][0]), 3)
+        identity, count = ilot.euclidean_clusters(x, y, z, 1.0)
+        self.assertEqual(int(identity.max()) + 1, count)
+
+    def test_wrong_arrays_are_refused(self):
+        x, y, z = self.places
+        for bad, words in ((x.astype("f4"), "float32"), (x[::2], "contiguous"), (x.reshape(2, -1), "one dimension"),
+                           (x[:-1].copy(), "different lengths"), (x.astype(">f8"), "float64"), (np.array([]), "lengths"),
+                           (np.full_like(x, np.nan), "finite")):
+            self.refused(words, ilot.estimate_normals, bad, y, z)
+        empty = np.array([])
+        self.refused("there are none", ilot.estimate_normals, empty, empty, empty)
+        locked = x.copy()
+        locked.flags.writeable = False
+        ilot.estimate_normals(locked, y, z)  # arrays are read only
+        self.refused("uint8", ilot.write_cloud, self.folder / "w.laz", x, y, z, classification=x)
+        self.assertFalse((self.folder / "w.laz").exists())
+
+    def test_wrong_words_are_refused(self):
+        self.refused("planes.epsilon", ilot.run, self.cloud, self.folder / "w", settings={"planes.epsilom": 1})
+        self.refused("512M", ilot.run, self.cloud, self.folder / "w", memory="lots")
+        self.refused("overwrite", ilot.run, self.cloud, self.folder / "w", existing="yes")
+        with self.assertRaisesRegex(TypeError, "did you mean detail"):
+            ilot.roofs(self.cloud, self.folder / "w", detial=1)
+        self.assertFalse((self.folder / "w").exists())
+
+    def test_what_a_callback_raises_stops_the_run(self):
+        def raise_it(*_):
+            raise ValueError("enough")
+        with self.assertRaisesRegex(ValueError, "enough"):
+            ilot.run(self.cloud, self.folder / "stopped", progress=raise_it)
+        self.assertFalse((self.folder / "stopped/run.json").exists())
+        self.assertEqual(ilot.run(self.cloud, self.folder / "stopped", existing="resume").exit, 0)
+
+    def test_other_threads_work_meanwhile(self):
+        results = []
+        work = threading.Thread(target=lambda: results.append(ilot.run(self.cloud, self.folder / "beside", report=False)))
+        work.start()
+        turns = 0
+        while work.is_alive():
+            turns += 1
+        self.assertEqual(results[0].exit, 0)
+        self.assertGreater(turns, 100, "the interpreter's lock is released")
+
+    def test_ctrl_c_can_be_resumed(self):
+        script = ("import ilot, os, signal, sys\n"
+                  "def kill(stage, *rest):\n"
+                  "    if stage == 'planes': os.kill(os.getpid(), signal.SIGINT)\n"
+                  "try:\n"
+                  "    ilot.run(sys.argv[1], sys.argv[2], progress=kill)\n"
+                  "except KeyboardInterrupt:\n"
+                  "    print(ilot.run(sys.argv[1], sys.argv[2], existing='resume').result_hash)\n")
+        done = subprocess.run([sys.executable, "-c", script, self.cloud, self.folder / "killed"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stdout.strip(), ilot.run(self.cloud, self.folder / "whole").result_hash)
+        self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler, "the handler is Python's again")
+
+    def test_the_examples_of_the_page_run(self):
+        page = (pathlib.Path(__file__).resolve().parents[2] / "docs/python.md").read_text()
+        folder = self.folder / "page"
+        folder.mkdir()
+        (folder / "town.laz").write_bytes(self.cloud.read_bytes())
+        examples = [part.split("```")[0] for part in page.split("```python\n")[1:]]
+        self.assertGreater(len(examples), 2)
+        for example in examples:
+            if "geopandas" in example and importlib.util.find_spec("geopandas") is None:
+                continue
+            done = subprocess.run([sys.executable, "-c", example], cwd=folder, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, example + done.stderr)
+
+    def test_everything_public_is_documented(self):
+        for name in ilot.__all__:
+            self.assertTrue(inspect.getdoc(getattr(ilot, name)), name)
+        os.chdir(self.folder)
+        self.assertEqual(doctest.testmod(sys.modules["ilot.clouds"]).failed, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
