@@ -23,6 +23,7 @@
 #include "engine/products/facades/walls/facade_joints.h"
 #include "engine/products/facades/walls/facade_rows.h"
 #include "engine/products/facades/walls/wall_groups.h"
+#include "engine/report/counted.h"
 #include "kernels/core/portable_math.h"
 
 namespace ilot {
@@ -39,8 +40,8 @@ constexpr const char* kNoStations =
     "facades: no station is known (see --stations): laser shadows cannot be distinguished from openings by their rays";
 
 constexpr const char* kUndecidedSide =
-    "{}: which of its sides is the street is not certain ({:.0f} %); it is drawn from the likelier side, and "
-    "--set facades.side=[{}] turns it";
+    "facades: which side is the street is not certain for {} of {}, which are drawn from the likelier side; "
+    "--set facades.side=[N] turns N: {}";
 // Choice: odds of three to one.
 constexpr double kDecided = 1.1;  // natural logarithm of the odds
 
@@ -277,10 +278,14 @@ void settle_sides(std::vector<WallGroup>& walls, const FacadesSettings& settings
     turn_wall(wall, metres_per_unit);
     wall.side_odds = INFINITY;
   }
-  for (std::size_t i = 0; i < walls.size(); ++i)
-    if (walls[i].side_odds < kDecided)
-      warn(fmt::format(kUndecidedSide, facade_name(static_cast<std::uint32_t>(i + 1)),
-                       100 / (1 + natural_exp(-walls[i].side_odds)), i + 1));
+  std::size_t undecided = 0;
+  std::string numbers;
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    if (walls[i].side_odds >= kDecided) continue;
+    const double percent = 100 / (1 + natural_exp(-walls[i].side_odds));
+    numbers += fmt::format("{}{} ({:.0f} %)", undecided++ > 0 ? ", " : "", i + 1, percent);
+  }
+  if (undecided > 0) warn(fmt::format(kUndecidedSide, undecided, counted(walls.size(), "facade"), numbers));
 }
 
 // The inputs of the search for facades.
