@@ -27,7 +27,7 @@ fs::path store_of(const KeptRunPlaces& places) {
 json record_of(const fs::path& out) {
   std::ifstream file(out / "run.json");
   if (!file) throw Error(out.string() + ": contains no finished run (run.json is missing)", ExitCode::usage);
-  const json record = json::parse(file, nullptr, false);
+  json record = json::parse(file, nullptr, false);
   if (!record.is_object() || !record.value("request", json()).is_object() || !record.contains("parameters"))
     throw Error((out / "run.json").string() + ": does not say what was asked; the run is of an older version",
                 ExitCode::usage);

@@ -28,7 +28,7 @@ struct UnitName {
 
 UnitName unit_name(const std::string& text) {
   const std::size_t colon = text.find(':');
-  const UnitName unit{text.substr(0, colon), colon == std::string::npos ? "" : text.substr(colon + 1)};
+  UnitName unit{text.substr(0, colon), colon == std::string::npos ? "" : text.substr(colon + 1)};
   if ((unit.kind != "building" && unit.kind != "facade" && unit.kind != "tile" && unit.kind != "cell") ||
       unit.id.empty())
     throw Error(

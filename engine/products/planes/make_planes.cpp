@@ -68,7 +68,7 @@ PlanesResult number_planes(const Store& store, const JoinedPlanes& joined, bool 
 ColourPalette make_palette(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                            const Settings& settings, const PassContext& context, RunRecord& record) {
   if (settings.planes.colour_classes == 0 || !colours_pass(store, inputs, context)) return {};
-  const ColourPalette palette =
+  ColourPalette palette =
       colour_palette(store, static_cast<std::uint32_t>(settings.planes.colour_classes), settings.seed);
   std::string centres;
   for (const auto& c : palette.centre)

@@ -56,7 +56,8 @@ std::uint64_t bytes_of_tables(std::span<const PlannedSite> sites) {
       const auto* text = std::get_if<std::string>(&value);
       bytes += 2 * sizeof site.attributes[0] + name.size() + (text == nullptr ? 0 : text->size());
     }
-    for (const auto& ring : site.outline.polygon) bytes += sizeof ring + ring.size() * sizeof(Point2);
+    for (const auto& ring : site.outline.polygon)
+      bytes += sizeof(site.outline.polygon[0]) + ring.size() * sizeof(Point2);
   }
   return bytes;
 }

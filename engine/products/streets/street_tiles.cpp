@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <utility>
 
 #include "engine/pass/pass.h"
 #include "engine/products/streets/ground/standing_form.h"
@@ -144,7 +145,7 @@ StreetTiles::StreetTiles(const Store& store, const PassContext& context, double 
       layers_(tiles_.layers()),
       cells_(cells_of(layers_, raster().scale, density)) {
   if (see)
-    layers_.write = [this, see](const char* layer, std::size_t tile, const Image& image) {
+    layers_.write = [this, see = std::move(see)](const char* layer, std::size_t tile, const Image& image) {
       see(raster(), layer, tile, image);
       tiles_.layers().write(layer, tile, image);
     };

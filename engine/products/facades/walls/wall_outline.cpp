@@ -191,7 +191,7 @@ std::optional<double> meeting_of(const TopEdge& a, const TopEdge& b, double slac
 
 // Makes the edges cover the top from end to end without gaps. An edge is extended to where it meets the next one, to an
 // upright step, or to a part at the top of the wall of which nothing is known.
-std::vector<TopEdge> without_gaps(std::vector<TopEdge> edges, const Wall& wall, double least) {
+std::vector<TopEdge> without_gaps(const std::vector<TopEdge>& edges, const Wall& wall, double least) {
   const double slack = 4 * wall.cell;
   std::vector<TopEdge> closed;
   const auto take = [&](TopEdge edge) {

@@ -201,7 +201,7 @@ void BoundarySurroundings::each_plane(const std::function<void(const PlanePlaces
   std::uint32_t last = 0;
   std::vector<std::uint32_t>* of_last = nullptr;
   for (std::uint32_t i = 0; i < points_.size(); ++i) {
-    if (points_[i].plane != last) {
+    if (of_last == nullptr || points_[i].plane != last) {
       last = points_[i].plane;
       of_last =
           &members[static_cast<std::size_t>(std::lower_bound(planes_.begin(), planes_.end(), last) - planes_.begin())];

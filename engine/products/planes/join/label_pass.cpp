@@ -98,7 +98,7 @@ class BlockLabels {
     PlaneFrame frame;
     for (std::uint32_t i = 0; i < plane_.size(); ++i) {
       if (plane_[i] == 0) continue;
-      if (plane_[i] != last) {
+      if (of_last == nullptr || plane_[i] != last) {
         last = plane_[i];
         of_last = &by_plane[last];
         frame = frame_of(joined_.planes[last - 1].plane, {});

@@ -167,7 +167,7 @@ class Faces {
 
 }  // namespace
 
-Partition cells_inside(LineNet net) {
+Partition cells_inside(const LineNet& net) {
   Partition p = Faces(net).inside();
   tidy(p);
   return p;

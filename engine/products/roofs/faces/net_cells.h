@@ -9,6 +9,6 @@ namespace ilot {
 // border edges. Regions are numbered by their least vertices; regions with the same least vertex are numbered
 // counter-clockwise from the direction of +x. Edges with one cell on both sides are left out: dead ends, and bridges
 // between two parts. O(n log n + components x n).
-Partition cells_inside(LineNet net);
+Partition cells_inside(const LineNet& net);
 
 }  // namespace ilot

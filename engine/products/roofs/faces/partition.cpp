@@ -201,7 +201,7 @@ void tidy(Partition& p) {
       kept.back().right = e.right;
     } else if (kept.back().left == e.right) {
       kept.back().left = e.left;
-    } else {
+    } else {              // NOLINT(bugprone-branch-clone): as where nothing is kept, for another reason
       kept.push_back(e);  // regions overlap: this is no planar subdivision, but every region is still closed
     }
     if (kept.back().left == kept.back().right) kept.pop_back();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include "engine/products/streets/ground/ground.h"
+#include "engine/tiles/raster_scale.h"
 #include "engine/tiles/tile_layers.h"
 
 namespace ilot {
