@@ -67,7 +67,7 @@ class TextTest(RunTest):
         path = self.written("zf.xyz", "0 0 0\n" + "".join(f"651000.{i:04} 6861000.25 50.003\n" for i in range(500)))
         done = ilot("convert", path, self.folder / "z.csv")
         self.assertEqual(done.returncode, 3, done.stderr)
-        self.assertIn("rows are 0 0 0", done.stderr)
+        self.assertIn("1 row is 0 0 0", done.stderr)
         self.assertIn("651000.0001,6861000.25,50.003", (self.folder / "z.csv").read_text())
 
 
