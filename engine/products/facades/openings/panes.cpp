@@ -10,8 +10,8 @@ namespace {
 
 // Choice: the stiles where two casements meet are 10 to 15 cm wide together, casements 35 cm and wider.
 constexpr double kBarShare = 0.43;  // share of the narrower pane that a bar takes at most
-// Derived: a pier must be a cell of its own between the cells of its sides; of larger cells it may look like a bar.
-constexpr double kCellsOfBar = 2;  // cells across the widest bar from which on panes that overlap are one window
+// Derived: a pier needs a cell of its own between the cells of its sides; of larger cells it looks like a bar.
+constexpr double kCellsOfBar = 2;  // cells across the widest bar from which on panes are joined
 // Choice: twice the error of an edge of 1 cm.
 constexpr double kEqual = 0.03;  // metres between the ends of two panes of one window, at most
 // Choice: bars take a tenth of a side and corners are rounded; a door beside a window with a sill leaves a third open.
@@ -30,10 +30,10 @@ double gap_between(double low_a, double high_a, double low_b, double high_b) {
 
 // Whether no more than a bar parts two panes that lie side by side, or one above the other. Sides are searched in a
 // strip that is wider than a bar, so that one may have been found beyond the bar: then the panes overlap.
-bool is_bar(const Box2& p, const Box2& q, bool side_by_side, bool may_overlap) {
+bool is_bar(const Box2& p, const Box2& q, bool side_by_side) {
   const double gap = side_by_side ? gap_between(p.u0, p.u1, q.u0, q.u1) : gap_between(p.v0, p.v1, q.v0, q.v1);
   const double least = side_by_side ? std::min(p.width(), q.width()) : std::min(p.height(), q.height());
-  return (gap > 0 || may_overlap) && gap <= std::min(kWidestBar, kBarShare * least);
+  return gap <= std::min(kWidestBar, kBarShare * least);
 }
 
 bool end_alike(const FoundRectangle& a, const FoundRectangle& b, Side side) {
@@ -42,7 +42,7 @@ bool end_alike(const FoundRectangle& a, const FoundRectangle& b, Side side) {
 
 // Whether no more than a bar parts two openings along half of the shorter one, and (where wanted) both end alike along
 // it.
-bool touch_at_bar(const FoundRectangle& a, const FoundRectangle& b, bool end_together, bool may_overlap) {
+bool touch_at_bar(const FoundRectangle& a, const FoundRectangle& b, bool end_together) {
   const Box2 p = a.box(), q = b.box();
   const auto alike = [&](Side from, Side to) {
     return !end_together || (end_alike(a, b, from) && end_alike(a, b, to));
@@ -50,8 +50,8 @@ bool touch_at_bar(const FoundRectangle& a, const FoundRectangle& b, bool end_tog
   const bool rows = 2 * -gap_between(p.v0, p.v1, q.v0, q.v1) >= std::min(p.height(), q.height());
   const bool columns = 2 * -gap_between(p.u0, p.u1, q.u0, q.u1) >= std::min(p.width(), q.width());
   return is_plain(a) && is_plain(b) &&
-         ((rows && is_bar(p, q, true, may_overlap) && alike(Side::bottom, Side::top)) ||
-          (columns && is_bar(p, q, false, may_overlap) && alike(Side::left, Side::right)));
+         ((rows && is_bar(p, q, true) && alike(Side::bottom, Side::top)) ||
+          (columns && is_bar(p, q, false) && alike(Side::left, Side::right)));
 }
 
 // Each side is that of the pane farthest out, or of the better known one where both end alike.
@@ -67,12 +67,12 @@ void join_pane(FoundRectangle& a, const FoundRectangle& b) {
   a.no_echo = a.no_echo && b.no_echo;
 }
 
-void join_pairs(std::vector<FoundRectangle>& found, bool may_overlap) {
+void join_pairs(std::vector<FoundRectangle>& found) {
   for (bool more = true; more;) {
     more = false;
     for (std::size_t i = 0; i < found.size(); ++i)
       for (std::size_t k = i + 1; k < found.size();) {
-        if (!touch_at_bar(found[i], found[k], true, may_overlap)) {
+        if (!touch_at_bar(found[i], found[k], true)) {
           ++k;
           continue;
         }
@@ -84,13 +84,12 @@ void join_pairs(std::vector<FoundRectangle>& found, bool may_overlap) {
 }
 
 // The openings that bars connect with one of them, itself included; ascending.
-std::vector<std::size_t> connected_by_bars(const std::vector<FoundRectangle>& found, std::size_t first,
-                                           bool may_overlap) {
+std::vector<std::size_t> connected_by_bars(const std::vector<FoundRectangle>& found, std::size_t first) {
   std::vector<std::size_t> members{first};
   for (std::size_t m = 0; m < members.size(); ++m)
     for (std::size_t k = 0; k < found.size(); ++k)
       if (std::find(members.begin(), members.end(), k) == members.end() &&
-          touch_at_bar(found[members[m]], found[k], false, may_overlap))
+          touch_at_bar(found[members[m]], found[k], false))
         members.push_back(k);
   std::sort(members.begin(), members.end());
   return members;
@@ -111,9 +110,9 @@ bool fill_rectangle(const std::vector<FoundRectangle>& found, const std::vector<
   });
 }
 
-void join_grids(std::vector<FoundRectangle>& found, bool may_overlap) {
+void join_grids(std::vector<FoundRectangle>& found) {
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const std::vector<std::size_t> members = connected_by_bars(found, i, may_overlap);
+    const std::vector<std::size_t> members = connected_by_bars(found, i);
     if (members.size() < 3 || members.front() < i) continue;  // two are a pair; others were looked at before
     FoundRectangle whole = found[i];
     for (const std::size_t m : members)
@@ -127,9 +126,9 @@ void join_grids(std::vector<FoundRectangle>& found, bool may_overlap) {
 }  // namespace
 
 void join_panes(double cell, std::vector<FoundRectangle>& found) {
-  const bool may_overlap = kCellsOfBar * cell <= kWidestBar;
-  join_pairs(found, may_overlap);
-  join_grids(found, may_overlap);
+  if (kCellsOfBar * cell > kWidestBar) return;
+  join_pairs(found);
+  join_grids(found);
 }
 
 }  // namespace ilot

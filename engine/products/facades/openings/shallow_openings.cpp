@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "engine/products/facades/openings/wall_form.h"
+#include "engine/products/facades/openings/trend_surface.h"
 #include "engine/products/facades/rays/cell_bands.h"
 #include "kernels/core/quantile.h"
 
@@ -48,12 +48,12 @@ double shared_area(const Box2& a, const Box2& b) {
   return area_of_box({std::max(a.u0, b.u0), std::min(a.u1, b.u1), std::max(a.v0, b.v0), std::min(a.v1, b.v1)});
 }
 
-double off_form(const WallForm& form, const Ray& ray) {
+double off_form(const TrendSurface& form, const Ray& ray) {
   return static_cast<double>(ray.at.w) - form.at(ray.at.u, ray.at.v);
 }
 
 // Marks the cells most of whose points lie behind the form by more than half of the step, among those of rows [r0, r1).
-void mark_rows(const RaySamples& samples, const WallForm& form, double step, std::int64_t r0, std::int64_t r1,
+void mark_rows(const RaySamples& samples, const TrendSurface& form, double step, std::int64_t r0, std::int64_t r1,
                WallCells& marks) {
   std::vector<std::int32_t> behind(static_cast<std::size_t>((r1 - r0) * marks.columns), 0), other(behind.size(), 0);
   const Box2 rows{0, static_cast<double>(marks.columns) * marks.cell, static_cast<double>(r0) * marks.cell,
@@ -103,7 +103,7 @@ struct Step {
   double wall = 0, noise = 0, depth = 0;
 };
 
-std::optional<Step> step_at_pane(const RaySamples& samples, const WallForm& form, const Box2& box, double least) {
+std::optional<Step> step_at_pane(const RaySamples& samples, const TrendSurface& form, const Box2& box, double least) {
   const Box2 inner = box.grown(-kRingFrom), from = box.grown(kRingFrom), to = box.grown(kRingTo);
   Rays near = samples.near(to);
   const auto counts = [&](const Ray& ray) {
@@ -128,7 +128,7 @@ std::optional<Step> step_at_pane(const RaySamples& samples, const WallForm& form
 }
 
 // The points about a pane as a wall of their own.
-LocalWall local_wall(const RaySamples& samples, const WallForm& form, const Box2& box, const Step& step,
+LocalWall local_wall(const RaySamples& samples, const TrendSurface& form, const Box2& box, const Step& step,
                      const OpeningParams& params) {
   const FacadeSite& whole = samples.site();
   const Box2 around{std::max(0.0, box.u0 - kLocalMargin), std::min(whole.width, box.u1 + kLocalMargin),
@@ -167,7 +167,7 @@ void move_by(Place2 from, FoundRectangle& r) {
 }
 
 // The opening about a marked box.
-std::optional<FoundRectangle> shallow_opening(const RaySamples& samples, const WallForm& form, const Box2& box,
+std::optional<FoundRectangle> shallow_opening(const RaySamples& samples, const TrendSurface& form, const Box2& box,
                                               double least, const OpeningParams& params) {
   const std::optional<Step> step = step_at_pane(samples, form, box, least);
   if (!step) return std::nullopt;
@@ -195,7 +195,7 @@ std::optional<FoundRectangle> shallow_opening(const RaySamples& samples, const W
 
 std::vector<FoundRectangle> find_shallow_openings(const RaySamples& samples, const WallCells& cells,
                                                   const OpeningParams& params) {
-  const WallForm form = wall_form(samples);
+  const TrendSurface form = trend_surface(samples);
   const double step = std::max(kLeastStep, kStepOfNoise * form.noise);
   if (!form.found || step >= depth_through(samples.site(), params)) return {};
   WallCells marks = cells;

@@ -51,7 +51,7 @@ TEST(Panes, ADoorBesideAWindowAndWindowsBesideAPierStayAlone) {
   EXPECT_EQ(found.size(), 2u);
 }
 
-TEST(Panes, PanesThatOverlapAreOneWhereCellsShowBars) {
+TEST(Panes, NothingIsJoinedInCellsThatDoNotShowBars) {
   std::vector<FoundRectangle> found{pane({1, 1.62, 1, 2.4}), pane({1.45, 1.83, 1, 2.4})};
   join_panes(0.12, found);
   EXPECT_EQ(found.size(), 2u);

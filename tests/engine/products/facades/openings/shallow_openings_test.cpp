@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/products/facades/openings/wall_form.h"
+#include "engine/products/facades/openings/trend_surface.h"
 #include "tests/support/facade_sites.h"
 
 namespace ilot {
@@ -26,9 +26,9 @@ FacadeSite bowed(const test::Sheet& hole) {
   return site;
 }
 
-TEST(WallForm, AWallThatBowsIsLevelAboutItsForm) {
+TEST(TrendSurface, AWallThatBowsIsLevelAboutItsForm) {
   const FacadeSite site = bowed({2, -0.03, 2, 3.1, 1.2, 2.8, 0});
-  const WallForm form = wall_form(RaySamples(site));
+  const TrendSurface form = trend_surface(RaySamples(site));
   ASSERT_TRUE(form.found);
   for (const double u : {0.3, 1.5, 3.0, 4.5, 5.7}) {
     const double x = u / site.width - 0.5;

@@ -7,8 +7,8 @@
 
 namespace ilot {
 
-// A polynomial of the second degree in the place on the wall.
-struct WallForm {
+// A trend surface: a polynomial of the second degree in the place on the wall.
+struct TrendSurface {
   bool found = false;
   double noise = 0;  // metres: standard deviation of the points of the wall about the form
   double width = 1, height = 1;
@@ -23,6 +23,6 @@ struct WallForm {
 // Fits the form by least squares, in several rounds, each with the points near the most frequent distance from the form
 // of the round before: panes and joints lie behind the wall, and only what lies before that distance gives the scatter.
 // Not found where there are too few points. O(points).
-WallForm wall_form(const RaySamples& samples);
+TrendSurface trend_surface(const RaySamples& samples);
 
 }  // namespace ilot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/products/facades/openings/wall_form.h"
+#include "engine/products/facades/openings/trend_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ struct FormPoint {
   double u, v, w;
 };
 
-std::array<double, kTerms> powers(const WallForm& form, const FormPoint& p) {
+std::array<double, kTerms> powers(const TrendSurface& form, const FormPoint& p) {
   const double x = p.u / form.width - 0.5, y = p.v / form.height - 0.5;
   return {1, x, y, x * x, x * y, y * y};
 }
@@ -89,7 +89,7 @@ std::vector<FormPoint> form_points(const RaySamples& samples) {
 }
 
 // One round: the form of the points near the mode; false where it cannot be fitted.
-bool fit_again(const std::vector<FormPoint>& points, WallForm& form) {
+bool fit_again(const std::vector<FormPoint>& points, TrendSurface& form) {
   std::vector<double> off;
   for (const FormPoint& p : points) off.push_back(p.w - form.at(p.u, p.v));
   const double mode = mode_of(off), scatter = std::max(kModeBin, scatter_before(off, mode));
@@ -113,9 +113,9 @@ bool fit_again(const std::vector<FormPoint>& points, WallForm& form) {
 
 }  // namespace
 
-WallForm wall_form(const RaySamples& samples) {
+TrendSurface trend_surface(const RaySamples& samples) {
   const std::vector<FormPoint> points = form_points(samples);
-  WallForm form;
+  TrendSurface form;
   form.width = samples.site().width, form.height = samples.site().height;
   if (points.size() < kFewestForForm || !(form.width > 0) || !(form.height > 0)) return form;
   for (int round = 0; round < kFormRounds; ++round)
