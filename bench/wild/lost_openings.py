@@ -217,7 +217,7 @@ def tags_of(frame, box, opening, truth, rays):
 
 def judge(given, seed):
     words = given.scan_words(seed)
-    cloud = given.folder / (hashlib.sha256(" ".join(words).encode()).hexdigest()[:10] + f"-{seed}") / "a.las"
+    cloud = given.folder / (hashlib.sha256(" ".join([given.scene, *words]).encode()).hexdigest()[:10] + f"-{seed}") / "a.las"
     truth_file, stations = cloud.with_suffix(".truth.json"), cloud.with_suffix(".stations.csv")
     if not truth_file.exists():
         cloud.parent.mkdir(parents=True, exist_ok=True)

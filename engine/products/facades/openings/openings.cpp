@@ -6,6 +6,9 @@
 
 #include "engine/products/facades/openings/arched_top.h"
 #include "engine/products/facades/openings/leaning_side.h"
+#include "engine/products/facades/openings/panes.h"
+#include "engine/products/facades/openings/region_parts.h"
+#include "engine/products/facades/openings/shallow_openings.h"
 #include "engine/products/facades/openings/silent_holes.h"
 #include "kernels/core/quantile.h"
 
@@ -21,8 +24,6 @@ constexpr double kBoundShare = 0.5;  // share of its height or width
 constexpr double kLeastKnown = 0.2;  // share of it about which something must be known
 // Choice: a frame and a curtain leave a third of a window without an echo.
 constexpr double kSilentShare = 0.3;  // share of the cells of an opening that gave no echo although rays crossed them
-// Choice: bars and mullions of wood and metal; piers of stone between two windows are wider than that or than a third.
-constexpr double kWidestMullion = 0.15, kBarShare = 0.33;  // metres, and share of the narrower pane
 // Choice: hinges hold a leaf up to 2 cm beside the jamb, 1 cm in the mean.
 constexpr double kHinge = 0.01;  // metres between the end of an opening and what lies on the wall beside it
 // Choice: a triangle fills half of its box.
@@ -36,10 +37,6 @@ constexpr double kSheetDepth = 1;               // metres; the surface that fill
 constexpr std::uint64_t kMostOnPane = 1 << 17;  // points of the surface that fills it; more do not improve the result
 
 using enum WallCells::What;
-
-double depth_through(const FacadeSite& site, const OpeningParams& params) {
-  return std::max(params.least_depth, 3 * site.epsilon);
-}
 
 // The share of the lines across a side, among those of which something is known beyond the opening, on which the wall
 // continues. It is 0 where little is known.
@@ -65,7 +62,7 @@ double bounded(const WallCells& cells, const CellBox& box, Side side, const Open
       unknown = unknown && (what == kUnknown || what == kShallow || what == kBlocked);
     }
     found += solid;
-    known += !unknown;
+    known += solid || !unknown;
   }
   const auto lines = static_cast<double>(to - from + 1);
   return static_cast<double>(known) < kLeastKnown * lines ? 0 : static_cast<double>(found) / static_cast<double>(known);
@@ -216,110 +213,54 @@ double bow_error(const RaySamples& samples, const Box2& box, double wall_depth, 
   return std::abs(wall_depth) * std::abs(upright ? nearest->x - middle.x : nearest->y - middle.y) / nearest->z;
 }
 
-// Locates the sides of an opening. A line from a rough box is searched a second time from where it was found.
-void locate_sides(const RaySamples& samples, const Box2& around, double cell, FoundRectangle& opening) {
+// How far the wall goes on beside a side of a box of cells until rays go through again, at the narrowest quarter of the
+// lines across the side; no more than `most` metres.
+double wall_beside(const WallCells& cells, const CellBox& box, Side side, double most) {
+  const bool u = side == Side::left || side == Side::right;
+  const std::int64_t from = u ? box.r0 : box.c0, to = u ? box.r1 : box.c1;
+  const auto reach = static_cast<std::int64_t>(most / cells.cell) + 1;
+  std::vector<std::int64_t> widths;
+  for (std::int64_t i = from; i <= to; ++i) {
+    std::int64_t k = 1;
+    bool solid = false;
+    for (; k <= reach; ++k) {
+      const std::int64_t c = side == Side::left ? box.c0 - k : side == Side::right ? box.c1 + k : i;
+      const std::int64_t r = side == Side::bottom ? box.r0 - k : side == Side::top ? box.r1 + k : i;
+      if (c < 0 || r < 0 || c >= cells.columns || r >= cells.rows)
+        k = reach;
+      else if (cells.at(c, r) == kThrough && solid)
+        break;
+      else
+        solid |= cells.at(c, r) == kSolid;
+    }
+    widths.push_back(k - 1);
+  }
+  return std::min(most, static_cast<double>(lower_quantile(widths, 0.25)) * cells.cell);
+}
+
+// Locates the sides of an opening. A line from a rough box is searched a second time from where it was found, and not
+// beyond a bar or a narrow pier: there is another opening.
+void locate_sides(const RaySamples& samples, const WallCells& cells, const CellBox& box, const Box2& around,
+                  FoundRectangle& opening) {
   // Choice: reveals of usual walls; where nothing fills the opening, its depth is not known.
   constexpr double kUnknownDepth = 0.5;  // metres
   const FacadeSite& site = samples.site();
   const double margin = std::max(0.015, 2 * site.epsilon), deep = opening.depth == 0 ? -kUnknownDepth : opening.depth;
   const double bow = samples.oblique() ? wall_depth_about(samples, around) : 0;
-  SideSearch search{around, 0, site.epsilon, true, deep + 0.03, -margin, std::max(0.12, 2.5 * cell), {}};
+  SideSearch search{around, 0, site.epsilon, true, deep + 0.03, -margin, 0, {}};
+  const double reach = std::max(0.12, 2.5 * cells.cell);
   search.silent = opening.no_echo;
   for (int round = 0; round < 2; ++round) {
     for (const Side side : kSides) {
       search.depth = depth_beside(samples, search.box, side);
       search.face_to = search.depth - margin;
+      search.reach = std::max(cells.cell, wall_beside(cells, box, side, reach));
       LocatedEdge& edge = opening.side(side) = locate_edge(samples, search, side);
       if (edge.by_face) continue;
       edge.error += bow_error(samples, around, bow, side) + (search.depth != 0 ? kHinge : 0);
     }
     search.box = {opening.side(Side::left).inner, opening.side(Side::right).inner, opening.side(Side::bottom).inner,
                   opening.side(Side::top).inner};
-  }
-}
-
-// The opening in a region of cells; no result if it is none.
-std::optional<FoundRectangle> opening_of(const RaySamples& samples, const WallCells& cells, const CellRegion& region,
-                                         const std::vector<bool>& silent, const OpeningParams& params) {
-  const FacadeSite& site = samples.site();
-  const double through = depth_through(site, params);
-  const CellBox box = box_of(region, cells.columns);
-  const auto edge = [&](std::int64_t i) { return static_cast<double>(i) * cells.cell; };
-  Box2 around{edge(box.c0), edge(box.c1 + 1), edge(box.r0), edge(box.r1 + 1)};
-  if (around.width() < params.least_size || around.height() < params.least_size) return std::nullopt;
-  if (bounded(cells, box, Side::left, params) < kBoundShare || bounded(cells, box, Side::right, params) < kBoundShare ||
-      bounded(cells, box, Side::top, params) < kBoundShare)
-    return std::nullopt;
-  FoundRectangle opening;
-  opening.fill =
-      static_cast<double>(region.cells.size()) / static_cast<double>((box.c1 - box.c0 + 1) * (box.r1 - box.r0 + 1));
-  if (opening.fill < kLeastFill) return std::nullopt;
-  set_depth(samples, around, through, opening);
-  const auto empty =
-      std::count_if(region.cells.begin(), region.cells.end(), [&](std::uint32_t i) { return silent[i]; });
-  opening.no_echo = static_cast<double>(empty) >= kSilentShare * static_cast<double>(region.cells.size());
-  locate_sides(samples, around, cells.cell, opening);
-  if (opening.at(Side::right) - opening.at(Side::left) < params.least_size ||
-      opening.at(Side::top) - opening.at(Side::bottom) < params.least_size)
-    return std::nullopt;
-  set_leaning_sides(samples, opening);
-  if (opening.lean_of(Side::top) != 0) return opening;
-  const FoundTop top = find_top(samples, opening, params.arch_misfit);
-  LocatedEdge& crown = opening.side(Side::top);
-  opening.arc = top.arc;
-  if (opening.arc) {
-    crown = {opening.arc->centre.v + opening.arc->radius, opening.arc->error};
-    crown.points = opening.arc->points;
-    crown.rms = opening.arc->rms;
-    crown.inner = crown.at;
-    crown.form = opening.arc->off;
-  } else {
-    crown.form = top.off;
-  }
-  return opening;
-}
-
-// Whether two openings are panes of one window: side by side or one above the other, with no more than a bar between
-// them, and of equal extent along the bar.
-bool are_panes(const FoundRectangle& a, const FoundRectangle& b) {
-  // Choice: twice the error of an edge of 1 cm.
-  constexpr double kEqual = 0.03;  // metres between the ends of two panes of one window, at most
-  if (a.arc || b.arc || a.leans() || b.leans()) return false;
-  const auto meet = [&](Side low, Side high, Side from, Side to) {
-    const double gap = std::max(a.at(low), b.at(low)) - std::min(a.at(high), b.at(high));
-    const auto equal = [&](Side s) { return std::abs(a.at(s) - b.at(s)) <= kEqual + a.error(s) + b.error(s); };
-    const double least = std::min(a.at(high) - a.at(low), b.at(high) - b.at(low));
-    return gap > 0 && gap <= std::min(kWidestMullion, kBarShare * least) && equal(from) && equal(to);
-  };
-  return meet(Side::left, Side::right, Side::bottom, Side::top) ||
-         meet(Side::bottom, Side::top, Side::left, Side::right);
-}
-
-// Joins panes: each side is that of the pane farthest out, or of the better known one where both end alike.
-void join_panes(std::vector<FoundRectangle>& found) {
-  const auto join = [](FoundRectangle& a, const FoundRectangle& b) {
-    for (const Side side : kSides) {
-      const bool low = side == Side::left || side == Side::bottom;
-      const double farther = low ? a.at(side) - b.at(side) : b.at(side) - a.at(side);
-      const bool alike = std::abs(farther) <= a.error(side) + b.error(side);
-      if (alike ? b.error(side) < a.error(side) : farther > 0) a.side(side) = b.side(side);
-    }
-    if (b.points > a.points) a.depth = b.depth, a.depth_error = b.depth_error;
-    a.points += b.points;
-    a.no_echo = a.no_echo && b.no_echo;
-  };
-  for (bool more = true; more;) {
-    more = false;
-    for (std::size_t i = 0; i < found.size(); ++i)
-      for (std::size_t k = i + 1; k < found.size();) {
-        if (!are_panes(found[i], found[k])) {
-          ++k;
-          continue;
-        }
-        join(found[i], found[k]);
-        found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
-        more = true;
-      }
   }
 }
 
@@ -340,11 +281,56 @@ std::vector<UnseenArea> unseen_areas(const std::vector<WallHole>& holes, const s
 
 }  // namespace
 
+double depth_through(const FacadeSite& site, const OpeningParams& params) {
+  return std::max(params.least_depth, 3 * site.epsilon);
+}
+
+double farthest_in_room(const RaySamples& samples, const OpeningParams& params) {
+  return samples.oblique() ? params.room_depth : params.room_depth_square;
+}
+
+std::optional<FoundRectangle> opening_in(const RaySamples& samples, const WallCells& cells, const CellRegion& region,
+                                         const std::vector<bool>& silent, double through, const OpeningParams& params) {
+  const CellBox box = box_of(region, cells.columns);
+  const auto edge = [&](std::int64_t i) { return static_cast<double>(i) * cells.cell; };
+  Box2 around{edge(box.c0), edge(box.c1 + 1), edge(box.r0), edge(box.r1 + 1)};
+  if (around.width() < params.least_size || around.height() < params.least_size) return std::nullopt;
+  if (bounded(cells, box, Side::left, params) < kBoundShare || bounded(cells, box, Side::right, params) < kBoundShare ||
+      bounded(cells, box, Side::top, params) < kBoundShare)
+    return std::nullopt;
+  FoundRectangle opening;
+  opening.fill =
+      static_cast<double>(region.cells.size()) / static_cast<double>((box.c1 - box.c0 + 1) * (box.r1 - box.r0 + 1));
+  if (opening.fill < kLeastFill) return std::nullopt;
+  set_depth(samples, around, through, opening);
+  const auto empty =
+      std::count_if(region.cells.begin(), region.cells.end(), [&](std::uint32_t i) { return silent[i]; });
+  opening.no_echo = static_cast<double>(empty) >= kSilentShare * static_cast<double>(region.cells.size());
+  locate_sides(samples, cells, box, around, opening);
+  if (opening.at(Side::right) - opening.at(Side::left) < params.least_size ||
+      opening.at(Side::top) - opening.at(Side::bottom) < params.least_size)
+    return std::nullopt;
+  set_leaning_sides(samples, opening);
+  if (opening.lean_of(Side::top) != 0) return opening;
+  const FoundTop top = find_top(samples, opening, params.arch_misfit);
+  LocatedEdge& crown = opening.side(Side::top);
+  opening.arc = top.arc;
+  if (opening.arc) {
+    crown = {opening.arc->centre.v + opening.arc->radius, opening.arc->error};
+    crown.points = opening.arc->points;
+    crown.rms = opening.arc->rms;
+    crown.inner = crown.at;
+    crown.form = opening.arc->off;
+  } else {
+    crown.form = top.off;
+  }
+  return opening;
+}
+
 std::vector<FoundRectangle> find_openings(const RaySamples& samples, const OpeningParams& params, OpeningSteps* steps,
                                           std::vector<UnseenArea>* unseen) {
-  const FacadeSite& site = samples.site();
-  WallCells seen = cells_of(
-      samples, {depth_through(site, params), samples.oblique() ? params.room_depth : params.room_depth_square});
+  const double through = depth_through(samples.site(), params);
+  WallCells seen = cells_of(samples, {through, farthest_in_room(samples, params)});
   if (steps != nullptr) steps->seen = seen;
   const std::vector<WallHole> holes = find_holes(samples, seen, params.least_size);
   std::vector<bool> silent(seen.what.size(), false);
@@ -357,10 +343,12 @@ std::vector<FoundRectangle> find_openings(const RaySamples& samples, const Openi
   for_each_region(
       cells, [&](std::size_t i) { return cells.what[i] == kThrough; },
       [&](const CellRegion& region) {
-        if (const std::optional<FoundRectangle> opening = opening_of(samples, cells, region, silent, params))
-          found.push_back(*opening);
+        for (const CellRegion& part : parts_of_region(cells, region, params.least_size))
+          if (const std::optional<FoundRectangle> opening = opening_in(samples, cells, part, silent, through, params))
+            found.push_back(*opening);
       });
-  join_panes(found);
+  add_shallow_openings(find_shallow_openings(samples, seen, params), found);
+  join_panes(cells.cell, found);
   if (unseen != nullptr) *unseen = unseen_areas(holes, found, cells);
   return found;
 }

@@ -50,6 +50,17 @@ struct FoundRectangle {
   Box2 box() const { return {at(Side::left), at(Side::right), at(Side::bottom), at(Side::top)}; }
 };
 
+// How far behind the wall a ray must end that goes through it, in metres.
+double depth_through(const FacadeSite& site, const OpeningParams& params);
+
+// Rays that end farther behind the wall are not used, in metres.
+double farthest_in_room(const RaySamples& samples, const OpeningParams& params);
+
+// The opening in a region of the cells of a wall through which rays go; no result if it is none. `silent` marks the
+// cells that rays crossed without an echo. Points less than `through` behind the wall are not in it.
+std::optional<FoundRectangle> opening_in(const RaySamples& samples, const WallCells& cells, const CellRegion& region,
+                                         const std::vector<bool>& silent, double through, const OpeningParams& params);
+
 // Takes the cells of the plane of the wall through which rays go and on which no point of the wall lies. They are
 // joined over cells in which nothing was seen. A region that the wall bounds on both sides and above is an opening. The
 // shadow of something in the street is no opening, because no ray goes through it. Holes with straight sides that free

@@ -53,35 +53,6 @@ bool is_obstacle(std::uint8_t what, Ends ends) {
   return what == kSolid || what == kRelief || (what == kBlocked && ends == Ends::at_all_things);
 }
 
-// The cells that a square with few obstacles covers. Sums over rectangles give both the obstacles of each square and
-// the squares over each cell.
-std::vector<bool> open_cells(const WallCells& cells, std::int64_t side, Ends ends) {
-  const std::int64_t columns = cells.columns, rows = cells.rows, wide = columns + 1;
-  std::vector<std::int32_t> sums(static_cast<std::size_t>(wide * (rows + 1)), 0), squares(sums.size(), 0);
-  const auto at = [&](std::int64_t c, std::int64_t r) { return static_cast<std::size_t>(r * wide + c); };
-  for (std::int64_t r = 0; r < rows; ++r)
-    for (std::int64_t c = 0; c < columns; ++c)
-      sums[at(c + 1, r + 1)] =
-          sums[at(c, r + 1)] + sums[at(c + 1, r)] - sums[at(c, r)] + is_obstacle(cells.at(c, r), ends);
-  const auto most = static_cast<std::int32_t>(kStray * static_cast<double>(side * side));
-  for (std::int64_t r = 0; r + side <= rows; ++r)
-    for (std::int64_t c = 0; c + side <= columns; ++c) {
-      const std::int64_t c1 = c + side, r1 = r + side;
-      if (sums[at(c1, r1)] - sums[at(c, r1)] - sums[at(c1, r)] + sums[at(c, r)] > most) continue;
-      ++squares[at(c, r)], --squares[at(c1, r)], --squares[at(c, r1)], ++squares[at(c1, r1)];
-    }
-  std::vector<bool> open(cells.what.size(), false);
-  for (std::int64_t r = 0; r <= rows; ++r)
-    for (std::int64_t c = 0; c <= columns; ++c) {
-      if (c > 0) squares[at(c, r)] += squares[at(c - 1, r)];
-      if (r > 0) squares[at(c, r)] += squares[at(c, r - 1)];
-      if (c > 0 && r > 0) squares[at(c, r)] -= squares[at(c - 1, r - 1)];
-      if (c < columns && r < rows)
-        open[static_cast<std::size_t>(r * columns + c)] = squares[at(c, r)] > 0 && !is_obstacle(cells.at(c, r), ends);
-    }
-  return open;
-}
-
 // What the points of one station show about a hole.
 struct HoleView {
   std::array<double, 4> beside{};  // rays on the wall beside each of kSides
@@ -281,7 +252,9 @@ void count_wall(const WallCells& cells, ViewedHole& h) {
 std::vector<ViewedHole> viewed_holes(const WallCells& cells, const std::vector<bool>& taken, double least_size,
                                      Ends ends, double least_empty) {
   const auto side = std::max<std::int64_t>(3, std::llround(kSquare * least_size / cells.cell));
-  const std::vector<bool> open = open_cells(cells, side, ends);
+  std::vector<bool> obstacles(cells.what.size());
+  for (std::size_t i = 0; i < obstacles.size(); ++i) obstacles[i] = is_obstacle(cells.what[i], ends);
+  const std::vector<bool> open = covered_by_squares(cells, obstacles, side, kStray);
   std::vector<ViewedHole> viewed;
   for_each_region(
       cells, [&](std::size_t i) { return open[i] && !taken[i]; },

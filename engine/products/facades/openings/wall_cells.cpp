@@ -11,8 +11,6 @@ namespace {
 
 // Choice: four points a cell; openings below three cells are lost.
 constexpr double kCellSteps = 2, kLeastCell = 0.02, kMostCell = 0.15;  // metres
-// Choice: posts between windows are narrower; wider ones part an opening in two.
-constexpr double kWidestBar = 0.15;  // metres; bars and frames that are nearly as far out as the wall
 // Choice: an arch takes the corners of its box; a gable window ends too far in.
 constexpr double kTail = 0.15;  // share of its rows and columns that may end farther out
 
@@ -96,15 +94,15 @@ WallCells filled(const WallCells& cells, double longest) {
   const auto most = static_cast<std::int64_t>(longest / cells.cell) + 1;
   const auto most_shallow = static_cast<std::int64_t>(kWidestBar / cells.cell) + 1;
   const auto fill_line = [&](std::int64_t c, std::int64_t r, std::int64_t dc, std::int64_t dr, std::int64_t length) {
-    std::int64_t last = -1, shallow = 0;
+    std::int64_t last = -1, shallow = 0, relief = 0;
     for (std::int64_t i = 0; i < length; ++i) {
       const std::uint8_t what = cells.at(c + i * dc, r + i * dr);
-      shallow += what == kShallow;
+      shallow += what == kShallow, relief += dc != 0 && what == kRelief;
       if (what == kThrough) {
-        if (last >= 0 && i - last <= most && shallow <= most_shallow)
+        if (last >= 0 && i - last <= most && shallow <= most_shallow && relief <= most_shallow)
           for (std::int64_t k = last + 1; k < i; ++k) out.at(c + k * dc, r + k * dr) = kThrough;
         last = i;
-        shallow = 0;
+        shallow = relief = 0;
       } else if (what == kSolid) {
         last = -1;
       }
@@ -113,6 +111,37 @@ WallCells filled(const WallCells& cells, double longest) {
   for (std::int64_t r = 0; r < cells.rows; ++r) fill_line(0, r, 1, 0, cells.columns);
   for (std::int64_t c = 0; c < cells.columns; ++c) fill_line(c, 0, 0, 1, cells.rows);
   return out;
+}
+
+// Sums over rectangles give both the obstacles of each square and the squares over each cell.
+std::vector<bool> covered_by_squares(const WallCells& cells, const std::vector<bool>& obstacles, std::int64_t side,
+                                     double stray) {
+  const std::int64_t columns = cells.columns, rows = cells.rows, wide = columns + 1;
+  std::vector<std::int32_t> sums(static_cast<std::size_t>(wide * (rows + 1)), 0), squares(sums.size(), 0);
+  const auto at = [&](std::int64_t c, std::int64_t r) { return static_cast<std::size_t>(r * wide + c); };
+  const auto is_obstacle = [&](std::int64_t c, std::int64_t r) {
+    return obstacles[static_cast<std::size_t>(r * columns + c)];
+  };
+  for (std::int64_t r = 0; r < rows; ++r)
+    for (std::int64_t c = 0; c < columns; ++c)
+      sums[at(c + 1, r + 1)] = sums[at(c, r + 1)] + sums[at(c + 1, r)] - sums[at(c, r)] + is_obstacle(c, r);
+  const auto most = static_cast<std::int32_t>(stray * static_cast<double>(side * side));
+  for (std::int64_t r = 0; r + side <= rows; ++r)
+    for (std::int64_t c = 0; c + side <= columns; ++c) {
+      const std::int64_t c1 = c + side, r1 = r + side;
+      if (sums[at(c1, r1)] - sums[at(c, r1)] - sums[at(c1, r)] + sums[at(c, r)] > most) continue;
+      ++squares[at(c, r)], --squares[at(c1, r)], --squares[at(c, r1)], ++squares[at(c1, r1)];
+    }
+  std::vector<bool> covered(cells.what.size(), false);
+  for (std::int64_t r = 0; r <= rows; ++r)
+    for (std::int64_t c = 0; c <= columns; ++c) {
+      if (c > 0) squares[at(c, r)] += squares[at(c - 1, r)];
+      if (r > 0) squares[at(c, r)] += squares[at(c, r - 1)];
+      if (c > 0 && r > 0) squares[at(c, r)] -= squares[at(c - 1, r - 1)];
+      if (c < columns && r < rows)
+        covered[static_cast<std::size_t>(r * columns + c)] = squares[at(c, r)] > 0 && !is_obstacle(c, r);
+    }
+  return covered;
 }
 
 CellBox box_of(const CellRegion& region, std::int64_t columns) {

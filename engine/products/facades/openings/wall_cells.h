@@ -31,6 +31,9 @@ struct WallCells {
 // Choice: the value of kSurround in arched_top.cpp; open shutters and their hinges fit in.
 inline constexpr double kFlatRelief = 0.15;  // metres before the wall at which shutters and surrounds end
 
+// Choice: posts between windows are narrower; wider ones part an opening in two.
+inline constexpr double kWidestBar = 0.15;  // metres; bars and frames that are nearly as far out as the wall
+
 // Which rays are counted as through the wall, in metres.
 struct WallCellParams {
   double least_depth = 0.04;  // a ray that ends less far behind the wall did not go through it
@@ -41,9 +44,15 @@ struct WallCellParams {
 WallCells cells_of(const RaySamples& samples, const WallCellParams& params);
 
 // Fills runs of cells in which nothing was seen, or only something before the wall, if they are between two cells
-// through which rays went and no longer than `longest` metres, along rows and columns. A joint from one opening to the
-// next is not such a run, because its back was seen. Frames and bars at such a small depth are narrower.
+// through which rays went and no longer than `longest` metres, along rows and columns. Leaves of shutters on a pier
+// between two windows are no such run of a row: they are wider than a bar and lie on the wall. A joint from one opening
+// to the next is not such a run, because its back was seen. Frames and bars at such a small depth are narrower.
 WallCells filled(const WallCells& cells, double longest);
+
+// The cells without an obstacle that some square of `side` cells covers of which obstacles take at most the share
+// `stray`. O(cells).
+std::vector<bool> covered_by_squares(const WallCells& cells, const std::vector<bool>& obstacles, std::int64_t side,
+                                     double stray);
 
 // A connected set of cells, as row * columns + column.
 struct CellRegion {

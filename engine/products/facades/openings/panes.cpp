@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/facades/openings/panes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace ilot {
+namespace {
+
+// Choice: the stiles where two casements meet are 10 to 15 cm wide together, casements 35 cm and wider.
+constexpr double kBarShare = 0.43;  // share of the narrower pane that a bar takes at most
+// Derived: a pier needs a cell of its own between the cells of its sides; of larger cells it looks like a bar.
+constexpr double kCellsOfBar = 2;  // cells across the widest bar from which on panes are joined
+// Choice: twice the error of an edge of 1 cm.
+constexpr double kEqual = 0.03;  // metres between the ends of two panes of one window, at most
+// Choice: bars take a tenth of a side and corners are rounded; a door beside a window with a sill leaves a third open.
+constexpr double kSideCovered = 0.8;  // share of each side of a window along which its panes end
+// Choice: bars of 15 cm between panes of half a metre leave three fifths.
+constexpr double kPanesFill = 0.6;  // share of the window that its panes cover
+
+bool is_plain(const FoundRectangle& r) {
+  return !r.arc && !r.leans();
+}
+
+// The gap between two intervals; negative where they overlap.
+double gap_between(double low_a, double high_a, double low_b, double high_b) {
+  return std::max(low_a, low_b) - std::min(high_a, high_b);
+}
+
+// Whether no more than a bar parts two panes that lie side by side, or one above the other. Sides are searched in a
+// strip that is wider than a bar, so that one may have been found beyond the bar: then the panes overlap.
+bool is_bar(const Box2& p, const Box2& q, bool side_by_side) {
+  const double gap = side_by_side ? gap_between(p.u0, p.u1, q.u0, q.u1) : gap_between(p.v0, p.v1, q.v0, q.v1);
+  const double least = side_by_side ? std::min(p.width(), q.width()) : std::min(p.height(), q.height());
+  return gap <= std::min(kWidestBar, kBarShare * least);
+}
+
+bool end_alike(const FoundRectangle& a, const FoundRectangle& b, Side side) {
+  return std::abs(a.at(side) - b.at(side)) <= kEqual + a.error(side) + b.error(side);
+}
+
+// Whether no more than a bar parts two openings along half of the shorter one, and (where wanted) both end alike along
+// it.
+bool touch_at_bar(const FoundRectangle& a, const FoundRectangle& b, bool end_together) {
+  const Box2 p = a.box(), q = b.box();
+  const auto alike = [&](Side from, Side to) {
+    return !end_together || (end_alike(a, b, from) && end_alike(a, b, to));
+  };
+  const bool rows = 2 * -gap_between(p.v0, p.v1, q.v0, q.v1) >= std::min(p.height(), q.height());
+  const bool columns = 2 * -gap_between(p.u0, p.u1, q.u0, q.u1) >= std::min(p.width(), q.width());
+  return is_plain(a) && is_plain(b) &&
+         ((rows && is_bar(p, q, true) && alike(Side::bottom, Side::top)) ||
+          (columns && is_bar(p, q, false) && alike(Side::left, Side::right)));
+}
+
+// Each side is that of the pane farthest out, or of the better known one where both end alike.
+void join_pane(FoundRectangle& a, const FoundRectangle& b) {
+  for (const Side side : kSides) {
+    const bool low = side == Side::left || side == Side::bottom;
+    const double farther = low ? a.at(side) - b.at(side) : b.at(side) - a.at(side);
+    const bool alike = std::abs(farther) <= a.error(side) + b.error(side);
+    if (alike ? b.error(side) < a.error(side) : farther > 0) a.side(side) = b.side(side);
+  }
+  if (b.points > a.points) a.depth = b.depth, a.depth_error = b.depth_error;
+  a.points += b.points;
+  a.no_echo = a.no_echo && b.no_echo;
+}
+
+void join_pairs(std::vector<FoundRectangle>& found) {
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      for (std::size_t k = i + 1; k < found.size();) {
+        if (!touch_at_bar(found[i], found[k], true)) {
+          ++k;
+          continue;
+        }
+        join_pane(found[i], found[k]);
+        found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
+        more = true;
+      }
+  }
+}
+
+// The openings that bars connect with one of them, itself included; ascending.
+std::vector<std::size_t> connected_by_bars(const std::vector<FoundRectangle>& found, std::size_t first) {
+  std::vector<std::size_t> members{first};
+  for (std::size_t m = 0; m < members.size(); ++m)
+    for (std::size_t k = 0; k < found.size(); ++k)
+      if (std::find(members.begin(), members.end(), k) == members.end() &&
+          touch_at_bar(found[members[m]], found[k], false))
+        members.push_back(k);
+  std::sort(members.begin(), members.end());
+  return members;
+}
+
+// Whether some panes fill the rectangle around them: they end along each of its sides, with bars between them.
+bool fill_rectangle(const std::vector<FoundRectangle>& found, const std::vector<std::size_t>& members,
+                    const FoundRectangle& whole) {
+  double area = 0;
+  for (const std::size_t m : members) area += found[m].box().width() * found[m].box().height();
+  if (area < kPanesFill * whole.box().width() * whole.box().height()) return false;
+  return std::all_of(kSides.begin(), kSides.end(), [&](Side side) {
+    const bool upright = side == Side::left || side == Side::right;
+    double covered = 0;
+    for (const std::size_t m : members)
+      if (end_alike(found[m], whole, side)) covered += upright ? found[m].box().height() : found[m].box().width();
+    return covered >= kSideCovered * (upright ? whole.box().height() : whole.box().width());
+  });
+}
+
+void join_grids(std::vector<FoundRectangle>& found) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::vector<std::size_t> members = connected_by_bars(found, i);
+    if (members.size() < 3 || members.front() < i) continue;  // two are a pair; others were looked at before
+    FoundRectangle whole = found[i];
+    for (const std::size_t m : members)
+      if (m != i) join_pane(whole, found[m]);
+    if (!fill_rectangle(found, members, whole)) continue;
+    found[i] = whole;
+    for (std::size_t m = members.size(); m-- > 1;) found.erase(found.begin() + static_cast<std::ptrdiff_t>(members[m]));
+  }
+}
+
+}  // namespace
+
+void join_panes(double cell, std::vector<FoundRectangle>& found) {
+  if (kCellsOfBar * cell > kWidestBar) return;
+  join_pairs(found);
+  join_grids(found);
+}
+
+}  // namespace ilot

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Panes that only bars part become one window.
+#pragma once
+#include <vector>
+
+#include "engine/products/facades/openings/openings.h"
+
+namespace ilot {
+
+// Joins panes of one window: first two that lie side by side or one above the other, with no more than a bar between
+// them and of equal extent along the bar; then several that fill a rectangle together, as two casements below a transom
+// light. Each side of the window is the side of the pane that lies farthest out, with its own error, or the better
+// known one of two that end alike. Arched panes and panes that lean stay alone. `cell` is the size of the cells in
+// which they were found, in metres: nothing is joined where a pier may look like a bar. O(n^3) in the openings of a
+// wall at worst.
+void join_panes(double cell, std::vector<FoundRectangle>& found);
+
+}  // namespace ilot

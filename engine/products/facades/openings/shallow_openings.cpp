@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/facades/openings/shallow_openings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "engine/products/facades/openings/trend_surface.h"
+#include "engine/products/facades/rays/cell_bands.h"
+#include "kernels/core/quantile.h"
+
+namespace ilot {
+namespace {
+
+// Derived: stations lie 5 mm apart (one standard deviation), and materials are measured 2 mm too near or too far: 95 %
+// of both together.
+constexpr double kLeastStep = 0.012;  // metres between the wall and a pane
+// Derived: at the middle between both, a point in fifteen is on the wrong side.
+constexpr double kStepOfNoise = 3;  // times the scatter of the wall
+// Choice: what lies deeper is found without this: rays go through there.
+constexpr double kDeepest = 0.15;  // metres
+// Choice: as kSquare in silent_holes.cpp: joints between stones are narrower.
+constexpr double kPaneSquare = 0.8;  // share of the smallest opening
+constexpr double kStrayWall = 0.15;  // Choice: bars; share of the cells of such a square on which there may be wall
+// Choice: doors of barns; what is larger is a wall that is set back.
+constexpr double kLargestPane = 4;  // metres, width and height
+// Choice: two thirds of the rows, as kStraight in silent_holes.cpp.
+constexpr double kStraightPane = 0.66;  // share of rows and columns that end at a straight side
+constexpr double kPaneFill = 0.6;       // Choice: a half circle fills 0.785 of its box; a corner may be hidden
+// Choice: the width of a narrow pier.
+constexpr double kRingFrom = 0.05, kRingTo = 0.35;  // metres beside a pane in which the wall about it is measured
+constexpr std::size_t kFewestOnSheet = 30;          // points of a pane and of the wall about it
+// Choice: as kBoundReach in openings.cpp, and a cell.
+constexpr double kLocalMargin = 0.65;          // metres of the wall about a pane that are looked at again
+constexpr std::uint64_t kMostLocal = 1 << 17;  // points of that; more do not improve the result
+constexpr double kScatterOfMedian = 1.4826;    // Derived: standard deviation over median distance, normal noise
+constexpr double kPieceShare = 0.6;            // Choice: more than half, with the errors of both; share of a piece
+
+using enum WallCells::What;
+
+double area_of_box(const Box2& b) {
+  return std::max(0.0, b.width()) * std::max(0.0, b.height());
+}
+
+double shared_area(const Box2& a, const Box2& b) {
+  return area_of_box({std::max(a.u0, b.u0), std::min(a.u1, b.u1), std::max(a.v0, b.v0), std::min(a.v1, b.v1)});
+}
+
+double off_form(const TrendSurface& form, const Ray& ray) {
+  return static_cast<double>(ray.at.w) - form.at(ray.at.u, ray.at.v);
+}
+
+// Marks the cells most of whose points lie behind the form by more than half of the step, among those of rows [r0, r1).
+void mark_rows(const RaySamples& samples, const TrendSurface& form, double step, std::int64_t r0, std::int64_t r1,
+               WallCells& marks) {
+  std::vector<std::int32_t> behind(static_cast<std::size_t>((r1 - r0) * marks.columns), 0), other(behind.size(), 0);
+  const Box2 rows{0, static_cast<double>(marks.columns) * marks.cell, static_cast<double>(r0) * marks.cell,
+                  static_cast<double>(r1) * marks.cell};
+  for (const Ray& ray : samples.near(rows.grown(marks.cell))) {
+    const double off = off_form(form, ray);
+    const Place2 p = samples.crossing(ray, 0);
+    if (off < -kDeepest || p.u < 0 || p.v < 0) continue;
+    const auto c = static_cast<std::int64_t>(p.u / marks.cell), r = static_cast<std::int64_t>(p.v / marks.cell);
+    if (c >= marks.columns || r < r0 || r >= r1) continue;
+    ++(off < -step / 2 ? behind : other)[static_cast<std::size_t>((r - r0) * marks.columns + c)];
+  }
+  for (std::size_t i = 0; i < behind.size(); ++i)
+    marks.what[static_cast<std::size_t>(r0 * marks.columns) + i] = behind[i] > other[i] ? kThrough
+                                                                   : other[i] > 0       ? kSolid
+                                                                                        : kUnknown;
+}
+
+// A cell without points is behind where five of its neighbours are: panes give fewer echoes than walls.
+WallCells without_gaps(const WallCells& marks) {
+  WallCells out = marks;
+  for (std::int64_t r = 1; r + 1 < marks.rows; ++r)
+    for (std::int64_t c = 1; c + 1 < marks.columns; ++c) {
+      if (marks.at(c, r) != kUnknown) continue;
+      int behind = 0;
+      for (std::int64_t k = 0; k < 9; ++k) behind += marks.at(c - 1 + k % 3, r - 1 + k / 3) == kThrough;
+      if (behind >= 5) out.at(c, r) = kThrough;
+    }
+  return out;
+}
+
+// The wall about a pane, levelled.
+struct LocalWall {
+  FacadeSite site;
+  Place2 from;      // its origin in the axes of the wall
+  double step = 0;  // metres from the wall to the pane
+};
+
+double scatter_of(std::vector<double> values, double middle) {
+  for (double& v : values) v = std::abs(v - middle);
+  return kScatterOfMedian * upper_median(values);
+}
+
+// Where the wall about a pane lies, how it scatters, and how far the pane is behind it; no result where that is no
+// step.
+struct Step {
+  double wall = 0, noise = 0, depth = 0;
+};
+
+std::optional<Step> step_at_pane(const RaySamples& samples, const TrendSurface& form, const Box2& box, double least) {
+  const Box2 inner = box.grown(-kRingFrom), from = box.grown(kRingFrom), to = box.grown(kRingTo);
+  Rays near = samples.near(to);
+  const auto counts = [&](const Ray& ray) {
+    return std::abs(off_form(form, ray)) < kDeepest && to.contains(samples.crossing(ray, 0));
+  };
+  const int level = thinning_level(near, kMostLocal, counts);
+  std::vector<double> wall, pane;
+  for (const Ray& ray : near) {
+    if (!counts(ray) || !is_kept(ray, level)) continue;
+    const Place2 p = samples.crossing(ray, 0);
+    const double off = off_form(form, ray);
+    if (inner.contains(p) && off < least / 2) pane.push_back(off);
+    if (!from.contains(p) && std::abs(off) < std::max(least, 2 * kLeastStep)) wall.push_back(off);
+  }
+  if (wall.size() < kFewestOnSheet || pane.size() < kFewestOnSheet) return std::nullopt;
+  Step step;
+  step.wall = upper_median(wall);
+  step.noise = scatter_of(wall, step.wall);
+  step.depth = step.wall - upper_median(pane);
+  if (step.depth < std::max(kLeastStep, kStepOfNoise * step.noise)) return std::nullopt;
+  return step;
+}
+
+// The points about a pane as a wall of their own.
+LocalWall local_wall(const RaySamples& samples, const TrendSurface& form, const Box2& box, const Step& step,
+                     const OpeningParams& params) {
+  const FacadeSite& whole = samples.site();
+  const Box2 around{std::max(0.0, box.u0 - kLocalMargin), std::min(whole.width, box.u1 + kLocalMargin),
+                    std::max(0.0, box.v0 - kLocalMargin),
+                    std::min(whole.height, box.v1 + params.hidden_above + kLocalMargin)};
+  LocalWall local;
+  local.from = {around.u0, around.v0};
+  local.step = step.depth;
+  FacadeSite& site = local.site;
+  site.axes = whole.axes;
+  site.width = around.width(), site.height = around.height();
+  site.epsilon = step.depth / 2, site.noise = step.noise, site.step = whole.step;
+  for (FacadeStation s : whole.stations) {
+    s.position = {s.position.x - around.u0, s.position.y - around.v0, s.position.z - step.wall};
+    site.stations.push_back(s);
+  }
+  Rays near = samples.near(around);
+  const auto counts = [&](const Ray& ray) { return around.contains(samples.crossing(ray, 0)); };
+  const int level = thinning_level(near, kMostLocal, counts);
+  for (const Ray& ray : near) {
+    if (!counts(ray) || !is_kept(ray, level)) continue;
+    site.points.push_back({static_cast<float>(static_cast<double>(ray.at.u) - around.u0),
+                           static_cast<float>(static_cast<double>(ray.at.v) - around.v0),
+                           static_cast<float>(off_form(form, ray) - step.wall), 0});
+    if (samples.oblique()) site.from.push_back(static_cast<SiteStation>(ray.station + 1));
+  }
+  return local;
+}
+
+void move_by(Place2 from, FoundRectangle& r) {
+  for (const Side side : kSides) {
+    const double by = side == Side::left || side == Side::right ? from.u : from.v;
+    r.side(side).at += by, r.side(side).inner += by;
+  }
+  if (r.arc) r.arc->centre = {r.arc->centre.u + from.u, r.arc->centre.v + from.v};
+}
+
+// The opening about a marked box.
+std::optional<FoundRectangle> shallow_opening(const RaySamples& samples, const TrendSurface& form, const Box2& box,
+                                              double least, const OpeningParams& params) {
+  const std::optional<Step> step = step_at_pane(samples, form, box, least);
+  if (!step) return std::nullopt;
+  const LocalWall local = local_wall(samples, form, box, *step, params);
+  const RaySamples about(local.site);
+  const WallCells cells = filled(cells_of(about, {step->depth / 2, farthest_in_room(samples, params)}), params.shadow);
+  const Place2 middle{(box.u0 + box.u1) / 2 - local.from.u, (box.v0 + box.v1) / 2 - local.from.v};
+  std::optional<FoundRectangle> opening;
+  for_each_region(
+      cells, [&](std::size_t i) { return cells.what[i] == kThrough; },
+      [&](const CellRegion& region) {
+        const CellBox b = box_of(region, cells.columns);
+        const double c = middle.u / cells.cell, r = middle.v / cells.cell;
+        if (c < static_cast<double>(b.c0) || c > static_cast<double>(b.c1 + 1) || r < static_cast<double>(b.r0) ||
+            r > static_cast<double>(b.r1 + 1) || straight_share(region, b, cells.columns) < kStraightPane)
+          return;
+        opening =
+            opening_in(about, cells, region, std::vector<bool>(cells.what.size(), false), step->depth / 2, params);
+      });
+  if (opening) move_by(local.from, *opening);
+  return opening;
+}
+
+}  // namespace
+
+std::vector<FoundRectangle> find_shallow_openings(const RaySamples& samples, const WallCells& cells,
+                                                  const OpeningParams& params) {
+  const TrendSurface form = trend_surface(samples);
+  const double step = std::max(kLeastStep, kStepOfNoise * form.noise);
+  if (!form.found || step >= depth_through(samples.site(), params)) return {};
+  WallCells marks = cells;
+  for (const RowBand& band : bands_of(marks.columns, marks.rows))
+    mark_rows(samples, form, step, band.first, band.end, marks);
+  marks = without_gaps(marks);
+  std::vector<bool> obstacles(marks.what.size());
+  for (std::size_t i = 0; i < obstacles.size(); ++i) obstacles[i] = marks.what[i] != kThrough;
+  const auto side = std::max<std::int64_t>(3, std::llround(kPaneSquare * params.least_size / marks.cell));
+  const std::vector<bool> panes = covered_by_squares(marks, obstacles, side, kStrayWall);
+  std::vector<FoundRectangle> found;
+  for_each_region(
+      marks, [&](std::size_t i) { return panes[i]; },
+      [&](const CellRegion& region) {
+        const CellBox b = box_of(region, marks.columns);
+        const double fill = static_cast<double>(region.cells.size()) / static_cast<double>(b.columns() * b.rows());
+        const Box2 box{static_cast<double>(b.c0) * marks.cell, static_cast<double>(b.c1 + 1) * marks.cell,
+                       static_cast<double>(b.r0) * marks.cell, static_cast<double>(b.r1 + 1) * marks.cell};
+        if (fill < kPaneFill || std::min(box.width(), box.height()) < params.least_size ||
+            std::max(box.width(), box.height()) > kLargestPane)
+          return;
+        if (const std::optional<FoundRectangle> opening = shallow_opening(samples, form, box, step, params))
+          found.push_back(*opening);
+      });
+  return found;
+}
+
+void add_shallow_openings(std::vector<FoundRectangle>&& shallow, std::vector<FoundRectangle>& found) {
+  for (FoundRectangle& s : shallow) {
+    const Box2 own = s.box();
+    const bool known = std::any_of(found.begin(), found.end(), [&](const FoundRectangle& o) {
+      return shared_area(own, o.box()) > kPieceShare * area_of_box(own);
+    });
+    if (known) continue;
+    std::erase_if(
+        found, [&](const FoundRectangle& o) { return shared_area(own, o.box()) > kPieceShare * area_of_box(o.box()); });
+    found.push_back(std::move(s));
+  }
+}
+
+}  // namespace ilot

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/facades/openings/panes.h"
+
+#include <gtest/gtest.h>
+
+namespace ilot {
+namespace {
+
+FoundRectangle pane(const Box2& box, double error = 0.01) {
+  FoundRectangle r;
+  r.side(Side::left) = {box.u0, error}, r.side(Side::right) = {box.u1, error};
+  r.side(Side::bottom) = {box.v0, error}, r.side(Side::top) = {box.v1, error};
+  r.points = 100;
+  return r;
+}
+
+TEST(Panes, FourInAGridAreOneWindowThoughAnInnerSideIsWrong) {
+  // The left side of the lower right pane was found in the pane beside it.
+  std::vector<FoundRectangle> found{pane({1, 1.66, 1, 1.66}), pane({1.5, 2.38, 1, 1.66}), pane({1, 1.66, 1.72, 2.38}),
+                                    pane({1.72, 2.38, 1.72, 2.38})};
+  found[1].side(Side::right).error = 0.004;
+  join_panes(0.04, found);
+  ASSERT_EQ(found.size(), 1u);
+  const Box2 box = found[0].box();
+  EXPECT_DOUBLE_EQ(box.u0, 1);
+  EXPECT_DOUBLE_EQ(box.u1, 2.38);
+  EXPECT_DOUBLE_EQ(box.v0, 1);
+  EXPECT_DOUBLE_EQ(box.v1, 2.38);
+  EXPECT_DOUBLE_EQ(found[0].error(Side::right), 0.004);  // the better known one of two that end alike
+  EXPECT_EQ(found[0].points, 400u);
+}
+
+TEST(Panes, CasementsBelowATransomLightAreOneWindow) {
+  std::vector<FoundRectangle> found{pane({1, 1.5, 1, 2.2}), pane({1.58, 2.08, 1, 2.2}), pane({1, 2.08, 2.28, 2.7})};
+  join_panes(0.04, found);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_DOUBLE_EQ(found[0].at(Side::top), 2.7);
+  // Three lights above two: no two of them are equal.
+  found = {pane({1, 1.5, 1, 2.2}), pane({1.58, 2.08, 1, 2.2}), pane({1, 1.3, 2.28, 2.7}), pane({1.37, 1.71, 2.28, 2.7}),
+           pane({1.78, 2.08, 2.28, 2.7})};
+  join_panes(0.04, found);
+  EXPECT_EQ(found.size(), 1u);
+}
+
+TEST(Panes, ADoorBesideAWindowAndWindowsBesideAPierStayAlone) {
+  std::vector<FoundRectangle> found{pane({1, 1.9, 0, 2.1}), pane({2, 3, 0.9, 2.1}), pane({1, 1.9, 2.2, 2.6})};
+  join_panes(0.04, found);
+  EXPECT_EQ(found.size(), 2u);  // the light above the door belongs to it
+  found = {pane({1, 2, 1, 2.5}), pane({2.25, 3.25, 1, 2.5})};
+  join_panes(0.04, found);
+  EXPECT_EQ(found.size(), 2u);
+}
+
+TEST(Panes, NothingIsJoinedInCellsThatDoNotShowBars) {
+  std::vector<FoundRectangle> found{pane({1, 1.62, 1, 2.4}), pane({1.45, 1.83, 1, 2.4})};
+  join_panes(0.12, found);
+  EXPECT_EQ(found.size(), 2u);
+  join_panes(0.04, found);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_DOUBLE_EQ(found[0].at(Side::right), 1.83);
+}
+
+}  // namespace
+}  // namespace ilot

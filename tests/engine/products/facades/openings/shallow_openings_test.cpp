@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/facades/openings/shallow_openings.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/products/facades/openings/trend_surface.h"
+#include "tests/support/facade_sites.h"
+
+namespace ilot {
+namespace {
+
+constexpr Vec3 kShallowEye{1, 1.5, 8};
+constexpr double kShallowStep = 0.003, kShallowNoise = 0.005;  // tangent; metres
+
+// A scan of a wall with one hole, bowed by 2 cm in its middle.
+FacadeSite bowed(const test::Sheet& hole) {
+  test::ScannedWall wall;
+  wall.wall({hole});
+  FacadeSite site = test::scan_wall(wall, kShallowEye, kShallowStep, 999, kShallowNoise);
+  for (FacadePoint& p : site.points) {
+    const double x = p.u / site.width - 0.5;
+    p.w += static_cast<float>(0.02 - 0.08 * x * x);
+    p.plane = 0;  // nothing but the points says what the wall is
+  }
+  site.wall.clear();
+  return site;
+}
+
+TEST(TrendSurface, AWallThatBowsIsLevelAboutItsForm) {
+  const FacadeSite site = bowed({2, -0.03, 2, 3.1, 1.2, 2.8, 0});
+  const TrendSurface form = trend_surface(RaySamples(site));
+  ASSERT_TRUE(form.found);
+  for (const double u : {0.3, 1.5, 3.0, 4.5, 5.7}) {
+    const double x = u / site.width - 0.5;
+    EXPECT_NEAR(form.at(u, 2), 0.02 - 0.08 * x * x, 0.002);
+  }
+  EXPECT_NEAR(form.noise, 2 * kShallowNoise / 2, 0.002);  // the sum of three uniform numbers deviates by a half
+}
+
+TEST(ShallowOpenings, APaneThreeCentimetresBehindABowedWall) {
+  const FacadeSite site = bowed({2, -0.03, 2, 3.1, 1.2, 2.8, 0});
+  const RaySamples samples(site);
+  const std::vector<FoundRectangle> found = find_openings(samples);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].at(Side::left), 2, found[0].error(Side::left));
+  EXPECT_NEAR(found[0].at(Side::right), 3.1, found[0].error(Side::right));
+  EXPECT_NEAR(found[0].at(Side::bottom), 1.2, found[0].error(Side::bottom));
+  EXPECT_NEAR(found[0].at(Side::top), 2.8, found[0].error(Side::top));
+  EXPECT_NEAR(found[0].depth, -0.03, 0.01);
+  for (const Side side : kSides) EXPECT_LT(found[0].error(side), 0.06);
+}
+
+TEST(ShallowOpenings, WhatLiesWithinTheNoiseOrIsAJointIsNone) {
+  EXPECT_TRUE(find_openings(RaySamples(bowed({2, -0.01, 2, 3.1, 1.2, 2.8, 0}))).empty());
+  EXPECT_TRUE(find_openings(RaySamples(bowed({2, -0.03, 0.5, 5.5, 2, 2.1, 0}))).empty());
+}
+
+TEST(ShallowOpenings, PiecesGiveWayToTheWholeAndWholesStay) {
+  const auto rectangle = [](const Box2& b) {
+    FoundRectangle r;
+    r.side(Side::left).at = b.u0, r.side(Side::right).at = b.u1, r.side(Side::bottom).at = b.v0,
+    r.side(Side::top).at = b.v1;
+    return r;
+  };
+  std::vector<FoundRectangle> found{rectangle({1, 2, 1, 1.4}), rectangle({4, 6, 1, 3})};
+  add_shallow_openings({rectangle({1, 2, 1, 2.4}), rectangle({4.1, 5.5, 1, 3})}, found);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_DOUBLE_EQ(found[0].at(Side::right), 6);
+  EXPECT_DOUBLE_EQ(found[1].at(Side::top), 2.4);
+}
+
+}  // namespace
+}  // namespace ilot
