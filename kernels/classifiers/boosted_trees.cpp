@@ -35,6 +35,7 @@ void tree_scores(const BoostedTrees& model, std::span<const double> rows, std::s
       std::size_t node = 0;
       for (std::size_t level = 0; level < model.depth; ++level)
         node = 2 * node + 1 + (row[splits[node].column] > splits[node].bin);
+      // A model has a class or more. NOLINTNEXTLINE(clang-analyzer-core.DivideZero)
       scores[r * classes + t % classes] += leaf[node - (leaves - 1)];
     }
   }
