@@ -2,9 +2,9 @@
 // Shared by the users of Embree. Only sources of this folder include it.
 #pragma once
 #include <embree3/rtcore.h>
+
 #include <algorithm>
 #include <cmath>
-
 #include <cstddef>
 
 #include "kernels/core/types.h"
