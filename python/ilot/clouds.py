@@ -1,9 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0
 """Point clouds as arrays: LAS, LAZ, COPC, E57, PTX, PTS, PLY, PCD and text in; LAS, LAZ, COPC and PLY out."""
+from __future__ import annotations
+
+import os
+from typing import Any, Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
 from . import _ilot
 
+Path = str | os.PathLike[str]
+Floats = NDArray[np.float64]
 
-def read_cloud(path, *, first=0, most=None, extra=()):
+
+def read_cloud(path: Path, *, first: int = 0, most: int | None = None, extra: Iterable[str] = ()) -> dict[str, NDArray[Any]]:
     """Returns a dict of arrays, one value a point: x, y, z (float64, CRS units), and, where the cloud has them, intensity,
     classification (ASPRS codes), red, green and blue; then the extra attributes that are asked for by name, as float64.
     `first` and `most` choose rows. Points with unusable coordinates are left out.
@@ -15,13 +26,16 @@ def read_cloud(path, *, first=0, most=None, extra=()):
     return _ilot.read_cloud(path, first, most, list(extra))
 
 
-def info(path):
+def info(path: Path) -> dict[str, Any]:
     """Returns what the points of a cloud really are, as `ilot info` says: number, bounds, classes, density (points/m2),
     sampling step (m), strays, warnings, and for each product whether the cloud suits it and why."""
     return _ilot.info(path)
 
 
-def write_cloud(path, x, y, z, *, intensity=None, classification=None, red=None, green=None, blue=None, crs="", scale=0.001):
+def write_cloud(path: Path, x: Floats, y: Floats, z: Floats, *, intensity: NDArray[np.uint16] | None = None,
+                classification: NDArray[np.uint8] | None = None, red: NDArray[np.uint16] | None = None,
+                green: NDArray[np.uint16] | None = None, blue: NDArray[np.uint16] | None = None, crs: str = "",
+                scale: float = 0.001) -> None:
     """Writes .las, .laz, .copc.laz or .ply, which appears whole or not at all. x, y, z: float64, CRS units, rounded to
     multiples of `scale`. intensity, red, green, blue: uint16. classification: uint8. crs: "EPSG:2154", or empty."""
     attributes = {"intensity": intensity, "classification": classification, "red": red, "green": green, "blue": blue}

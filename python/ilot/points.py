@@ -1,40 +1,55 @@
 # SPDX-License-Identifier: Apache-2.0
 """Functions over points in memory. x, y, z: float64 arrays of one length. `step`: of the lattice that points are rounded to, 0 =
 chosen from their extent (0.0001 up to 419 m). `threads`: 0 = all; no result depends on it."""
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
 from . import _ilot
 
+Floats = NDArray[np.float64]
+Singles = NDArray[np.float32]
+Indices = NDArray[np.uint32]
 
-def nearest_neighbours(x, y, z, count=16, *, max_distance=0.0, step=0.0, threads=0):
+
+def nearest_neighbours(x: Floats, y: Floats, z: Floats, count: int = 16, *, max_distance: float = 0.0, step: float = 0.0,
+                       threads: int = 0) -> tuple[Indices, Singles]:
     """Returns (index, distance), both of shape (points, count), the nearest first, which is the point itself. Where fewer lie
     within max_distance (0 = however far), index is 2**32 - 1 and distance infinite."""
     return _ilot.nearest_neighbours(x, y, z, count, max_distance, step, threads)
 
 
-def estimate_normals(x, y, z, count=16, *, max_distance=0.0, step=0.0, threads=0):
+def estimate_normals(x: Floats, y: Floats, z: Floats, count: int = 16, *, max_distance: float = 0.0, step: float = 0.0,
+                     threads: int = 0) -> tuple[Singles, Singles, Singles, Singles]:
     """Returns (nx, ny, nz, curvature), float32: unit normals that point up, 0, 0, 0 where there is none, from the principal
     components of `count` neighbours; curvature is 0 on a plane and 1/3 in a ball."""
     return _ilot.estimate_normals(x, y, z, count, max_distance, step, threads)
 
 
-def euclidean_clusters(x, y, z, radius, *, step=0.0):
+def euclidean_clusters(x: Floats, y: Floats, z: Floats, radius: float, *, step: float = 0.0) -> tuple[Indices, int]:
     """Returns (id, count): points at most `radius` apart are in one cluster, numbered from 0 by first appearance."""
     return _ilot.euclidean_clusters(x, y, z, radius, step)
 
 
-def find_planes(x, y, z, *, epsilon=None, normal_angle_deg=None, min_points=None, connectivity=None, probability=0.99, seed=0,
-                step=0.0, threads=0):
+def find_planes(x: Floats, y: Floats, z: Floats, *, epsilon: float | None = None, normal_angle_deg: float | None = None,
+                min_points: int | None = None, connectivity: float | None = None, probability: float = 0.99, seed: int = 0,
+                step: float = 0.0, threads: int = 0) -> dict[str, Any]:
     """Finds planes by random sample consensus. What is None is chosen from the points. Returns a dict: label (uint32 a point,
     0 = none, else 1 + row of planes), planes of shape (n, 4): nx, ny, nz, d with n . p + d = 0, and the values that were
     used. Every labelled point lies within epsilon of its plane."""
     return _ilot.find_planes(x, y, z, epsilon, normal_angle_deg, min_points, connectivity, probability, seed, step, threads)
 
 
-def delaunay(x, y, *, step=0.0):
+def delaunay(x: Floats, y: Floats, *, step: float = 0.0) -> Indices:
     """Returns the Delaunay triangulation in plan: corners of shape (triangles, 3), which turn left."""
     return _ilot.delaunay(x, y, step)
 
 
-def alpha_shape(x, y, reach, *, fill_holes=False, step=0.0):
+def alpha_shape(x: Floats, y: Floats, reach: float, *, fill_holes: bool = False,
+                step: float = 0.0) -> tuple[list[list[Indices]], float]:
     """Returns (polygons, area): the triangles of circumradius `reach` at most, joined. A polygon is a list of rings of indices
     of points: its outer ring counter-clockwise, then its holes clockwise."""
     return _ilot.alpha_shape(x, y, reach, fill_holes, step)

@@ -1,17 +1,28 @@
 # SPDX-License-Identifier: Apache-2.0
 """The results of a run, read back. Planes, buildings and objects have __geo_interface__, so that
 geopandas.GeoDataFrame.from_features(list) makes a table of them; their geometry is in plan, in the CRS of the clouds."""
+from __future__ import annotations
+
 import dataclasses
 import math
+import os
+from typing import Any, Iterable
+
+import numpy as np
+from numpy.typing import NDArray
 
 from . import _ilot
 
+Path = str | os.PathLike[str]
+Floats = NDArray[np.float64]
+Place = tuple[float, float, float]
 
-def _feature(geometry, properties):
+
+def _feature(geometry: dict[str, Any], properties: dict[str, Any]) -> dict[str, Any]:
     return {"type": "Feature", "geometry": geometry, "properties": properties}
 
 
-def _closed(ring):
+def _closed(ring: Iterable[Any]) -> list[tuple[float, float]]:
     """A ring of a GeoJSON geometry in plan: the first corner comes again at the end."""
     corners = [(float(p[0]), float(p[1])) for p in ring]
     return corners + corners[:1]
@@ -21,18 +32,18 @@ def _closed(ring):
 class PlaneSegment:
     """A plane and its outline. n . p + d = 0 with the unit vector `normal`, which points up."""
     id: int
-    normal: tuple
+    normal: Place
     d: float
     points: int
-    centroid: tuple
+    centroid: Place
     rms_m: float
     epsilon_m: float  # none of its points is farther away
     area_m2: float
     confidence: float
-    outline: list  # parts of rings of shape (corners, 3): the outer ring, then its holes
+    outline: list[list[Floats]]  # parts of rings of shape (corners, 3): the outer ring, then its holes
 
     @property
-    def __geo_interface__(self):
+    def __geo_interface__(self) -> dict[str, Any]:
         geometry = {"type": "MultiPolygon", "coordinates": [[_closed(r) for r in part] for part in self.outline]}
         properties = {f.name: getattr(self, f.name) for f in dataclasses.fields(self)
                       if f.name not in ("normal", "centroid", "outline")}
@@ -42,20 +53,20 @@ class PlaneSegment:
 @dataclasses.dataclass(frozen=True)
 class Surface:
     kind: str  # roof, wall, ground
-    rings: list  # of indices of vertices: the outer ring counter-clockwise seen from outside, then its holes
+    rings: list[list[int]]  # of indices of vertices: the outer ring counter-clockwise seen from outside, then its holes
 
 
 @dataclasses.dataclass(frozen=True)
 class Building:
     """A building. levels: {"2.2": (vertices of shape (n, 3), surfaces)}, the highest level of detail last."""
     id: str
-    attributes: dict  # docs/outputs.md has their meanings and units
-    levels: dict
+    attributes: dict[str, Any]  # docs/outputs.md has their meanings and units
+    levels: dict[str, tuple[Floats, list[Surface]]]
 
     @property
-    def __geo_interface__(self):
+    def __geo_interface__(self) -> dict[str, Any]:
         """The roof of the highest level in plan, else the outline on the ground."""
-        vertices, surfaces = next(reversed(self.levels.values())) if self.levels else ([], [])
+        vertices, surfaces = next(reversed(self.levels.values())) if self.levels else (np.empty((0, 3)), [])
         kind = "roof" if any(s.kind == "roof" for s in surfaces) else "ground"
         rings = [[_closed(vertices[i] for i in ring) for ring in s.rings] for s in surfaces if s.kind == kind]
         return _feature({"type": "MultiPolygon", "coordinates": rings}, {"id": self.id, **self.attributes})
@@ -72,9 +83,9 @@ class Element:
     column: int
     status: str  # seen, completed, occluded
     reason: str
-    ring: object  # array of shape (corners, 3)
-    edge_error_m: object  # array: bound on the place of each edge
-    edge_status: list
+    ring: Floats  # array of shape (corners, 3)
+    edge_error_m: Floats  # array: bound on the place of each edge
+    edge_status: list[str]
     width_m: float
     height_m: float
     depth_m: float
@@ -88,13 +99,13 @@ class Facade:
     """A wall with its elements. right, up, out: its axes of unit length."""
     id: int
     crs: str
-    origin: tuple
-    right: tuple
-    up: tuple
-    out: tuple
+    origin: Place
+    right: Place
+    up: Place
+    out: Place
     width_m: float
     height_m: float
-    elements: list
+    elements: list[Element]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -102,8 +113,8 @@ class StreetObject:
     id: int
     label: str  # car, lamppost, pedestrian, other
     probability: float  # of that class
-    base: tuple  # on the ground
-    middle: tuple  # of its extent, on the ground
+    base: Place  # on the ground
+    middle: Place  # of its extent, on the ground
     height_m: float
     length_m: float
     width_m: float
@@ -112,7 +123,7 @@ class StreetObject:
     points: int
 
     @property
-    def __geo_interface__(self):
+    def __geo_interface__(self) -> dict[str, Any]:
         """The extent of the object in plan."""
         angle = math.radians(self.heading_deg)
         along = (math.cos(angle) * self.length_m / 2, math.sin(angle) * self.length_m / 2)
@@ -123,22 +134,25 @@ class StreetObject:
         return _feature({"type": "Polygon", "coordinates": [_closed(corners)]}, properties)
 
 
-def read_planes(folder):
+def read_planes(folder: Path) -> list[PlaneSegment]:
     """Returns a list of PlaneSegment, by id from 1."""
     return [PlaneSegment(**one) for one in _ilot.read_planes(folder)]
 
 
-def read_roofs(folder):
+def read_roofs(folder: Path) -> list[Building]:
     """Returns a list of Building, in the order of the file."""
     return [Building(name, attributes, {lod: (vertices, [Surface(*s) for s in surfaces]) for lod, vertices, surfaces in levels})
             for name, attributes, levels in _ilot.read_roofs(folder)]
 
 
-def read_facades(folder):
+def read_facades(folder: Path) -> list[Facade]:
     """Returns a list of Facade, the largest wall first."""
-    return [Facade(**{**one, "elements": [Element(**e) for e in one["elements"]]}) for one in _ilot.read_facades(folder)]
+    facades: list[dict[str, Any]] = _ilot.read_facades(folder)
+    for one in facades:
+        one["elements"] = [Element(**e) for e in one["elements"]]
+    return [Facade(**one) for one in facades]
 
 
-def read_streets(folder):
+def read_streets(folder: Path) -> list[StreetObject]:
     """Returns a list of StreetObject, by id from 1."""
     return [StreetObject(**one) for one in _ilot.read_streets(folder)]

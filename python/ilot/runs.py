@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """Whole runs: the same as the command `ilot run`. Each product is a function whose keywords are its settings."""
+from __future__ import annotations
+
 import dataclasses
 import difflib
 import inspect
 import os
+from typing import Any, Callable, Iterable
 
 from . import _ilot
 
+Path = str | os.PathLike[str]
 _PRODUCTS = ("planes", "roofs", "facades", "streets")
 
 
@@ -14,25 +18,29 @@ _PRODUCTS = ("planes", "roofs", "facades", "streets")
 class RunResult:
     """What a run did, as run.json says it. exit: 0, or 3 where something was skipped."""
     exit: int
-    folder: os.PathLike
-    products: list
+    folder: os.PathLike[str]
+    products: list[str]
     points_read: int
     points_labelled: int
     points_unlabelled: int
-    points_rejected: dict  # reason -> points
-    skipped: list  # (what, where, reason)
-    warnings: list
-    chosen: dict  # setting that was auto -> the value that was used
-    files: list  # of the result, relative to the folder
-    clouds: list  # labelled clouds, relative to the folder
+    points_rejected: dict[str, int]  # reason -> points
+    skipped: list[tuple[str, str, str]]  # (what, where, reason)
+    warnings: list[str]
+    chosen: dict[str, str]  # setting that was auto -> the value that was used
+    files: list[os.PathLike[str]]  # of the result, relative to the folder
+    clouds: list[os.PathLike[str]]  # labelled clouds, relative to the folder
     seconds: float
     peak_memory_bytes: int
     result_hash: str
 
 
-def run(inputs, output, *, products=("planes",), settings=None, memory="2G", threads=0, footprints="", id_field="", stations="",
-        train="", bounds=None, crs="", to_crs="", existing="refuse", strict=False, keep_store=False, clouds=True, report=True,
-        store="", progress=None, message=None):
+def run(inputs: Path | Iterable[Path], output: Path, *, products: str | Iterable[str] = ("planes",),
+        settings: dict[str, Any] | None = None, memory: int | str = "2G", threads: int = 0, footprints: Path = "",
+        id_field: str = "", stations: Path = "", train: Path = "", bounds: tuple[float, float, float, float] | None = None,
+        crs: str = "", to_crs: str = "", existing: str = "refuse", strict: bool = False, keep_store: bool = False,
+        clouds: bool = True, report: bool = True, store: Path = "",
+        progress: Callable[[str, int, int, float], Any] | None = None,
+        message: Callable[[str], Any] | None = None) -> RunResult:
     """Makes the products of the clouds in the folder `output`, which appears when it is whole. Returns a RunResult.
 
     inputs: a path or several (files, folders, patterns). settings: {"planes.epsilon": 0.02}; parameters() lists them. memory:
@@ -49,12 +57,12 @@ def run(inputs, output, *, products=("planes",), settings=None, memory="2G", thr
                                  report=report, store=store, progress=progress, message=message))
 
 
-def read_run(folder):
+def read_run(folder: Path) -> RunResult:
     """Returns the RunResult of a finished run."""
     return RunResult(**_ilot.read_run(folder))
 
 
-def parameters():
+def parameters() -> list[dict[str, Any]]:
     """Returns all settings: a list of dicts of key, default, range, unit, help, advanced."""
     return _ilot.parameters()
 
@@ -62,13 +70,13 @@ def parameters():
 _RUN_WORDS = [word for word in inspect.signature(run).parameters if word != "products"]
 
 
-def _product(name):
+def _product(name: str) -> Callable[..., RunResult]:
     """Returns the function of one product. Its keywords are those of run() and the settings of the product's section."""
     prefix = name + "."
     own = [p for p in parameters() if p["key"].startswith(prefix)]
     keywords = {p["key"].removeprefix(prefix).replace(".", "_"): p["key"] for p in own}
 
-    def make(inputs, output, **arguments):
+    def make(inputs: Path | Iterable[Path], output: Path, **arguments: Any) -> RunResult:
         settings = dict(arguments.pop("settings", None) or {})
         for word, key in keywords.items():
             if word in arguments:
@@ -85,7 +93,7 @@ def _product(name):
     make.__doc__ = f"Makes {name} of the clouds: run() with these settings as keywords.\n\n" + "\n".join(lines)
     of_run = [p for word, p in inspect.signature(run).parameters.items() if word in _RUN_WORDS]
     more = [inspect.Parameter(word, inspect.Parameter.KEYWORD_ONLY, default=None) for word in keywords]
-    make.__signature__ = inspect.Signature(of_run + more)
+    make.__signature__ = inspect.Signature(of_run + more, return_annotation=RunResult)  # type: ignore[attr-defined]
     return make
 
 
