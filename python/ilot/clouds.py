@@ -2,16 +2,13 @@
 """Point clouds as arrays: LAS, LAZ, COPC, E57, PTX, PTS, PLY, PCD and text in; LAS, LAZ, COPC and PLY out."""
 from __future__ import annotations
 
-import os
 from typing import Any, Iterable
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _ilot
-
-Path = str | os.PathLike[str]
-Floats = NDArray[np.float64]
+from ._types import Floats, Path
 
 
 def read_cloud(path: Path, *, first: int = 0, most: int | None = None, extra: Iterable[str] = ()) -> dict[str, NDArray[Any]]:

@@ -5,14 +5,8 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from . import _ilot
-
-Floats = NDArray[np.float64]
-Singles = NDArray[np.float32]
-Indices = NDArray[np.uint32]
+from ._types import Floats, Indices, Singles
 
 
 def nearest_neighbours(x: Floats, y: Floats, z: Floats, count: int = 16, *, max_distance: float = 0.0, step: float = 0.0,

@@ -5,16 +5,13 @@ from __future__ import annotations
 
 import dataclasses
 import math
-import os
 from typing import Any, Iterable
 
 import numpy as np
-from numpy.typing import NDArray
 
 from . import _ilot
+from ._types import Floats, Path
 
-Path = str | os.PathLike[str]
-Floats = NDArray[np.float64]
 Place = tuple[float, float, float]
 
 

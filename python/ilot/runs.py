@@ -9,8 +9,8 @@ import os
 from typing import Any, Callable, Iterable
 
 from . import _ilot
+from ._types import Path
 
-Path = str | os.PathLike[str]
 _PRODUCTS = ("planes", "roofs", "facades", "streets")
 
 
