@@ -30,10 +30,8 @@ PointDensity point_density(const Store& store, const PassContext& context);
 // Decides from where a cloud was scanned. A scanner that looks straight down gives each square metre about the same
 // number of points, and few of them. A scanner on the ground gives many times more points to what is upright or near.
 // The view is from the air where less than a quarter of the points lie in dense cells, where the 9th decile of the
-// points of a square metre is at most 20 times the 1st, and where the median is at most 200 points a square metre. From
-// the air the share is 0 to 17 % and the deciles are 1 to 5 times apart (14 in a cutting with the border of a strip);
-// from the ground they are 47 to 1,300 times apart. A scan from the ground that was thinned to even steps has a large
-// share.
+// points of a square metre is at most 20 times the 1st, and where the median is at most 200 points a square metre.
+// docs/streets.md has the values of our clouds.
 StreetView view_of(const PointDensity& density);
 
 // The size of a pixel for a density, in multiples of 5 cm from 5 cm to 1 m. From the street it is half of the sampling

@@ -129,14 +129,6 @@ TEST(StreetsProduct, WhereItWasScannedFrom) {
   EXPECT_NE(chosen.find(R"("key":"streets.view","value":"air")"), std::string::npos) << chosen;
 }
 
-TEST(StreetsProduct, PixelsForDensities) {
-  EXPECT_EQ(pixel_for(1400, StreetView::street), 0.05);
-  EXPECT_EQ(pixel_for(20, StreetView::street), 0.05 * 3);
-  EXPECT_EQ(pixel_for(30, StreetView::air), 0.05 * 6);  // 30 points in 0.09 m2: 2.7 a pixel
-  EXPECT_EQ(pixel_for(1, StreetView::air), 1);          // the coarsest
-  EXPECT_EQ(pixel_for(2000, StreetView::air), 0.05);
-}
-
 TEST(StreetsProduct, OneSideOnly) {
   const test::CloudStore store(street_points(2, 2, false));
   const FoundStreet street = find_street(store.store(), {}, {});
