@@ -15,7 +15,7 @@ namespace {
 TEST(StreetTiles, ViewsOfDensities) {
   EXPECT_EQ(view_of({30, 0.01, 3.4}), StreetView::air);
   EXPECT_EQ(view_of({11, 0.17, 4.8}), StreetView::air) << "an old town with its walls";
-  EXPECT_EQ(view_of({73, 0.22, 120}), StreetView::street) << "a court below crowns from a vehicle";
+  EXPECT_EQ(view_of({73, 0.22, 120}), StreetView::street) << "a street below crowns from a vehicle";
   EXPECT_EQ(view_of({100, 0.6, 2}), StreetView::street) << "from the ground, thinned to even steps";
   EXPECT_EQ(view_of({340, 0.07, 3}), StreetView::street) << "too dense for a flight";
 }
