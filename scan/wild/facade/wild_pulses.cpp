@@ -7,7 +7,6 @@ namespace ilot::scan {
 namespace {
 
 constexpr double kPulseRate = 100000, kStationSeconds = 3600;
-constexpr Vec3 kZenith{0, 0, 1};
 
 }  // namespace
 
@@ -33,7 +32,9 @@ WildPulse WildPulses::of_station(const SinCos& azimuth, std::uint64_t line, std:
 
 WildPulse WildPulses::of_head(std::uint64_t line, std::uint64_t pulse) const {
   const SinCos turned = sin_cos_deg(id_ == 1 ? drive_.turned_deg : -drive_.turned_deg), angle = angles_[pulse];
-  const Vec3 left{-drive_.way.y, drive_.way.x, 0};
+  // The vehicle leans with the road: its axes are perpendicular to each other on a slope too.
+  const Vec3 level{-drive_.way.y, drive_.way.x, 0};
+  const Vec3 left = (1 / norm(level)) * level, up = cross(drive_.way, left);
   const Vec3 across = turned.sin * drive_.way + turned.cos * left, along = turned.cos * drive_.way - turned.sin * left;
   // The second head is half a turn behind.
   const double turns =
@@ -41,7 +42,7 @@ WildPulse WildPulses::of_head(std::uint64_t line, std::uint64_t pulse) const {
   const double s = turns / drive_.profiles;
   WildPulse p;
   p.origin = drive_.start + s * drive_.way;
-  p.aim = {angle.sin * across + angle.cos * kZenith, along, angle.cos * across - angle.sin * kZenith};
+  p.aim = {angle.sin * across + angle.cos * up, along, angle.cos * across - angle.sin * up};
   p.key = (line << 24) ^ pulse;
   p.second = s / drive_.speed;
   return p;

@@ -9,11 +9,11 @@
 
 namespace ilot::scan {
 
-// A vehicle that drives along a straight line. Each head turns in an upright plane, which is turned from straight
-// across by the same angle to either side.
+// A vehicle that drives along a straight line. Each head turns in a plane that is perpendicular to the road and turned
+// from straight across by the same angle to either side.
 struct WildDrive {
   Vec3 start;            // of the heads
-  Vec3 way{1, 0, 0};     // horizontal, unit length
+  Vec3 way{1, 0, 0};     // unit length; not upright
   double length = 50;    // metres
   double profiles = 30;  // turns of each head per metre
   double step_deg = 0.3;
