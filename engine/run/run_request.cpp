@@ -26,17 +26,6 @@ std::string sum_of(const json& value) {
   return sum.hex();
 }
 
-// Hashes the first and the last 4 KiB: what a header declares and how the file ends, without reading the whole file.
-std::string ends_of(const fs::path& path) {
-  constexpr std::size_t kEnd = 4096;
-  const InputFile file(path);
-  std::array<std::byte, kEnd> bytes;
-  Sha256 sum;
-  sum.update(std::span(bytes).first(file.read_at(0, bytes)));
-  sum.update(std::span(bytes).first(file.read_at(file.size() - std::min<std::uint64_t>(file.size(), kEnd), bytes)));
-  return sum.hex();
-}
-
 json file_json(const fs::path& path) {
   std::error_code ignored;
   return {{"path", path_text(fs::absolute(path).lexically_normal())},
@@ -114,6 +103,16 @@ std::string changed_inputs(const json& before, const json& now) {
 }
 
 }  // namespace
+
+std::string ends_of(const fs::path& path) {
+  constexpr std::size_t kEnd = 4096;
+  const InputFile file(path);
+  std::array<std::byte, kEnd> bytes;
+  Sha256 sum;
+  sum.update(std::span(bytes).first(file.read_at(0, bytes)));
+  sum.update(std::span(bytes).first(file.read_at(file.size() - std::min<std::uint64_t>(file.size(), kEnd), bytes)));
+  return sum.hex();
+}
 
 std::string run_request(const RunOptions& options, const RunInputs& inputs) {
   const json request{{"version", version()},
