@@ -41,8 +41,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostAreas = 100'000;  // Choice: plan.json has some 400 bytes for each
 constexpr std::uint64_t kLeastMemory = 96u << 20;
-// Measured: tests/full/scale.py, synthetic districts: about 6 KB a building.
-constexpr std::uint64_t kPartBytesOfSite = 6000;
+// Choice: a house of two levels; the estimate of disk follows from it, no result does.
+constexpr std::uint64_t kPartBytesOfSite = 2000;
 
 void check_asked(const PlanOptions& options) {
   for (const std::string& product : options.run.products) {

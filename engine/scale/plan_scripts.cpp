@@ -47,7 +47,7 @@ rule task:
 )";
 
 constexpr const char* kDask = R"(#!/usr/bin/env python3
-# THIS tcp://SCHEDULER:8786 OUT: the workers see the same folders as this machine
+# /usr/bin/python3 THIS tcp://SCHEDULER:8786 OUT: the workers see the same folders. Do not name this file dask.py.
 import os, subprocess, sys
 from distributed import Client, as_completed
 PLAN, ILOT = "@PLAN@", os.environ.get("ILOT", "ilot")
