@@ -2,7 +2,6 @@
 #include "engine/products/roofs/make_roofs.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdio>
 
@@ -155,11 +154,18 @@ void model_sites(const SiteModeller& modeller, std::span<const std::size_t> site
   deliver(before, sink);
 }
 
-// The number of sites that share ground with another one.
-std::uint64_t count_overlapping(std::span<const PlannedSite> sites, const OutlineMap& map) {
-  std::atomic<std::uint64_t> count{0};
-  parallel_for(sites.size(), [&](std::size_t i) { count += !overlapping(sites, map, i).empty(); });
-  return count;
+// The sites that share ground with others, in the order of ids.
+std::vector<OverlapRecord> overlaps_of(std::span<const PlannedSite> sites, const OutlineMap& map) {
+  std::vector<std::vector<std::uint32_t>> others(sites.size());
+  parallel_for(sites.size(), [&](std::size_t i) { others[i] = overlapping(sites, map, i); });
+  std::vector<OverlapRecord> overlaps;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (others[i].empty()) continue;
+    OverlapRecord& record = overlaps.emplace_back();
+    record.id = sites[i].id;
+    for (const std::uint32_t other : others[i]) record.with.push_back(sites[other].id);
+  }
+  return overlaps;
 }
 
 // The labels of points of no building: those that the cloud classifies as ground are labelled ground.
@@ -188,7 +194,7 @@ void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Se
   for (const PassTask& cost : costs) points += cost.points;
   out.progress.begin_stage("roofs", points, {wanted.size(), wanted.size() == 1 ? "building" : "buildings"});
   if (out.record.footprints) {
-    out.record.footprints->overlapping = count_overlapping(sites, work.map);
+    out.record.footprints->overlaps = overlaps_of(sites, work.map);
     measure_misalignment(work, wanted, costs, budget, out.progress, *out.record.footprints);
   }
   std::filesystem::create_directories(out.folder);
