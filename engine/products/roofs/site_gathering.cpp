@@ -46,6 +46,27 @@ std::vector<SitePolygon> outlines_around(const SiteWork& work, std::size_t numbe
   return outlines;
 }
 
+// Calls visit(position) for the ground points in the box, in global order. Roles come first: most clouds have no ground
+// where this is asked, and then no place of a point is read.
+template <class Visit>
+void for_each_ground_point(const Store& store, const IndexBox& box, const Visit& visit) {
+  std::vector<PointRole> roles;
+  for (const Slice& s : plan_view(store, box, {}).slices) {
+    const auto reader = store.open(s.block, columns::kRole);
+    const Tile tile = store.blocks()[s.block].node.tile;
+    for (std::uint32_t done = 0; done < s.count; done += kStretchPoints) {
+      roles.resize(std::min(kStretchPoints, s.count - done));
+      reader.read(s.first + done, roles);
+      if (std::find(roles.begin(), roles.end(), PointRole::ground) == roles.end()) continue;
+      const auto codes = store.read(s.block, columns::kCodes, s.first + done, roles.size());
+      for (std::size_t i = 0; i < roles.size(); ++i) {
+        if (roles[i] != PointRole::ground) continue;
+        if (const Index3 p = index_of({tile, codes[i]}); box.contains(p)) visit(p);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 SiteReader::Axis::Axis(std::int64_t anchor_mm, double unit_metres) : step(unit_metres) {
@@ -99,16 +120,12 @@ void SiteReader::find_nearby_ground() {
   const SitePointsParams& params = filter_.params();
   std::array<ValueCounts, kGroundRings.size()> rings;
   const IndexBox box = column_around(work_, planned_, kGroundRings.back());
-  for_each_stretch_in(work_.store, box, [&](const Stretch& s, std::span<const StretchPoint> inside) {
-    const auto roles = s.read(work_.store, columns::kRole);
-    for (const StretchPoint& p : inside) {
-      if (roles[p.number] != PointRole::ground) continue;
-      const Vec3 at = metres(p.position);
-      if (filter_.of(at, PointRole::ground) == PointMembership::held) continue;
-      const double distance = filter_.distance(at, kGroundRings.back());
-      for (std::size_t ring = 0; ring < kGroundRings.size(); ++ring)
-        if (distance <= kGroundRings[ring]) rings[ring].add(at.z);
-    }
+  for_each_ground_point(work_.store, box, [&](Index3 position) {
+    const Vec3 at = metres(position);
+    if (filter_.of(at, PointRole::ground) == PointMembership::held) return;
+    const double distance = filter_.distance(at, kGroundRings.back());
+    for (std::size_t ring = 0; ring < kGroundRings.size(); ++ring)
+      if (distance <= kGroundRings[ring]) rings[ring].add(at.z);
   });
   for (ValueCounts& ring : rings) {
     if (ring.count() < kFewestGroundPoints) continue;
