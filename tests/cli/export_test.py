@@ -3,7 +3,6 @@
 """`ilot export`: every format is read back by a reader that is not ilot's (export_readers.py, and below ILOT_NPM Khronos'
 gltf-validator) and compared with the run's own CityJSON and facades. ILOT_EXE names the program."""
 import json
-import os
 import pathlib
 import shutil
 import struct
@@ -13,24 +12,11 @@ import unittest
 import xml.etree.ElementTree
 
 import export_readers as readers
+from export_support import KINDS, ROOT, must, npm_has, seen_in_ifc
 from support import ilot
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 CRS = "EPSG:2154"  # that of scanned scenes
-FORMATS = "glb,stl,ply,citygml,3dtiles"
-KINDS = ["RoofSurface", "WallSurface", "GroundSurface"]
-
-
-def npm_has(package):
-    npm = os.environ.get("ILOT_NPM")
-    return npm and shutil.which("node") and (pathlib.Path(npm) / "node_modules" / package).is_dir()
-
-
-def must(*arguments, codes=(0,)):
-    done = ilot(*arguments)
-    if done.returncode not in codes:
-        raise AssertionError(f"ilot {arguments}: {done.returncode} {done.stderr}")
-    return done
+FORMATS = "glb,stl,ply,citygml,ifc,3dtiles"
 
 
 class Exports(unittest.TestCase):
@@ -244,6 +230,22 @@ class Exports(unittest.TestCase):
         self.assertIn("Layer name: Building\n", done.stdout)
         self.assertIn(f"Feature Count: {len(self.models)}\n", done.stdout)
         self.assertIn(f'ID["EPSG",{CRS[5:]}]', done.stdout)
+
+    @unittest.skipUnless(npm_has("web-ifc"), "no node, or no web-ifc below ILOT_NPM")
+    def test_ifc(self):
+        """web-ifc finds each envelope where CityJSON has it, as large and with its attributes."""
+        read = seen_in_ifc(self.made / "roofs.ifc")
+        self.assertEqual((read["schema"], read["crs"]), ("IFC4X3_ADD2", CRS))
+        envelopes = {e["name"]: e for e in read["elements"] if e["type"] == "IfcBuildingElementProxy"}
+        self.assertEqual(set(envelopes), set(self.solids))
+        for building in (e for e in read["elements"] if e["type"] == "IfcBuilding"):
+            self.assertEqual(building["properties"]["ilot_Building"]["points"], self.models[building["name"]][0]["points"])
+        for name, solid in self.solids.items():
+            mesh = envelopes[name]["mesh"]
+            self.assertAlmostEqual(mesh["volume"] / solid.volume(), 1, delta=1e-3)
+            for axis in range(3):
+                self.assertAlmostEqual(mesh["low"][axis] + read["map"][axis], min(p[axis] for p in solid.used()), delta=0.001)
+                self.assertAlmostEqual(mesh["high"][axis] + read["map"][axis], max(p[axis] for p in solid.used()), delta=0.001)
 
     def test_unknown_crs(self):
         plain, nowhere = self.folder / "plain", self.folder / "nowhere"

@@ -6,14 +6,17 @@
 #include <memory>
 #include <optional>
 
+#include "engine/deliverables/exports/facade_ifc.h"
 #include "engine/deliverables/exports/new_folder.h"
 #include "engine/deliverables/exports/roofs_glb.h"
 #include "engine/deliverables/exports/roofs_gml.h"
+#include "engine/deliverables/exports/roofs_ifc.h"
 #include "engine/deliverables/exports/roofs_meshes.h"
 #include "engine/deliverables/exports/tileset.h"
 #include "engine/deliverables/layers/gpkg_readers.h"
 #include "engine/deliverables/report/result_folder.h"
 #include "engine/deliverables/solids/roofs_reader.h"
+#include "engine/deliverables/tables/facade_json.h"
 #include "engine/error.h"
 #include "engine/formats/crs.h"
 #include "engine/model/building_geometry.h"
@@ -31,6 +34,7 @@ constexpr std::array kFormats{
     ExportFormat{"stl", "roofs", "buildings as triangles, binary STL"},
     ExportFormat{"ply", "roofs", "buildings as triangles in full coordinates, binary PLY"},
     ExportFormat{"citygml", "roofs", "buildings as CityGML 2.0"},
+    ExportFormat{"ifc", "roofs or facades", "envelopes of buildings, and each facade, as IFC 4.3"},
     ExportFormat{"3dtiles", "roofs or streets", "buildings and objects of streets as 3D Tiles 1.1"},
 };
 
@@ -89,20 +93,26 @@ ExportFrame frame_of(const ResultFolder& result, const ExportParams& params) {
 struct Scene {
   const ResultFolder& result;
   std::vector<StreetObject> objects;
+  std::vector<fs::path> facades;  // facade-NNN.json, in their order
   bool roofs = false;
 
   fs::path roofs_path() const { return result.path / kRoofsFile; }
 };
 
 Scene scene_of(const ResultFolder& result) {
-  Scene scene{result, {}, result.has(kRoofsFile)};
+  Scene scene{result, {}, {}, result.has(kRoofsFile)};
+  for (const ResultRecord& file : result.files)
+    if (file.path.starts_with("facades/facade-") && file.path.ends_with(".json"))
+      scene.facades.push_back(result.path / file.path);
   if (result.has(kObjectsFile)) scene.objects = read_objects_gpkg(result.path / kObjectsFile);
   return scene;
 }
 
-// The origin is that of the first building with a solid, where the reader ends, else of the first object.
+// The origin is that of the first building with a solid, where the reader ends, else of the first object, else
+// of the first facade.
 void place_origin(const Scene& scene, ExportFrame& frame) {
   struct Found {};
+  if (!scene.facades.empty()) frame.origin = export_origin(read_facade_json(scene.facades[0]).origin);
   if (!scene.objects.empty()) frame.origin = export_origin(scene.objects[0].base);
   try {
     if (scene.roofs)
@@ -138,8 +148,17 @@ std::vector<Sink> sinks_of(const Scene& scene, const fs::path& folder, const Exp
   if (wants(params, "stl")) sinks.push_back(sink_of<RoofsStl>(folder / "roofs.stl", frame));
   if (wants(params, "ply")) sinks.push_back(sink_of<RoofsPly>(folder / "roofs.ply", frame));
   if (wants(params, "citygml")) sinks.push_back(sink_of<RoofsGml>(folder / "roofs.gml", frame));
+  if (wants(params, "ifc") && scene.roofs) sinks.push_back(sink_of<RoofsIfc>(folder / "roofs.ifc", frame));
   if (wants(params, "3dtiles")) add_tiles(scene, folder, params, frame, sinks, summary);
   return sinks;
+}
+
+void export_facades(const Scene& scene, const fs::path& folder, const ExportFrame& frame, ExportSummary& summary) {
+  for (const fs::path& path : scene.facades) {
+    if (stop_requested()) throw Error("interrupted: nothing was written", ExitCode::interrupted);
+    write_facade_ifc(folder / path.filename().replace_extension(".ifc"), read_facade_json(path), frame);
+    ++summary.facades;
+  }
 }
 
 void export_models(const Scene& scene, const fs::path& folder, const ExportParams& params, ExportFrame frame,
@@ -154,6 +173,7 @@ void export_models(const Scene& scene, const fs::path& folder, const ExportParam
       for (const Sink& sink : sinks) sink.add(model);
     });
   for (const Sink& sink : sinks) sink.finish();
+  if (wants(params, "ifc")) export_facades(scene, folder, frame, summary);
 }
 
 }  // namespace
