@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-TOPS = ("kernels", "engine", "training", "scan", "tools", "study", "bench", "tests", "docs", "include", "examples")
+TOPS = ("kernels", "engine", "training", "scan", "tools", "study", "bench", "tests", "docs", "include", "examples", "python", "c_api", "qgis")
 LINK = re.compile(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)")
 CODE = re.compile(r"`([\w./-]+)`")
 HAS_CODE = re.compile(r"\.(h|cpp|inl|in|py|sh|cmake)$")

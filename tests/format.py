@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FOLDERS = ("kernels", "engine", "training", "scan", "tools", "study", "bench", "tests")
+FOLDERS = ("kernels", "engine", "training", "scan", "tools", "study", "bench", "tests", "c_api", "python", "include", "examples")
 
 
 def main():

@@ -9,7 +9,12 @@ without a partner, over seeds.
 
 Stations are given to the run (scene.station_knowledge=known). --calm begins with the calm values of facade_failures.py.
 Clouds stay in FOLDER and are used again. Boxes in the plane of the true opening are compared; found is an intersection over
-union of half, as for `ilot evaluate`. A ray comes from the recorded station of its point, or else from the nearest one."""
+union of half, as for `ilot evaluate`. A ray comes from the recorded station of its point, or else from the nearest one.
+Needs numpy.
+
+Each line of the table of causes begins with two numbers: all true openings, and those that at least 50 rays met or went
+through (--least-rays). These are the points on and behind its area; where the wall about the opening shows that more rays
+came this way than ended there or before it, these count as rays without an echo."""
 import argparse
 import collections
 import concurrent.futures
@@ -20,6 +25,8 @@ import math
 import pathlib
 import struct
 import subprocess
+
+import numpy
 
 import facade_failures
 
@@ -79,45 +86,48 @@ def iou(a, b):
 
 
 def points_of(path):
-    """Coordinates and station numbers of a LAS file."""
+    """Coordinates and station numbers of a LAS file, as two arrays."""
     data = path.read_bytes()
     offset, kind, size = struct.unpack_from("<I", data, 96)[0], data[104] & 63, struct.unpack_from("<H", data, 105)[0]
     count = struct.unpack_from("<Q", data, 247)[0] if data[25] >= 4 else struct.unpack_from("<I", data, 107)[0]
     scale, shift = struct.unpack_from("<3d", data, 131), struct.unpack_from("<3d", data, 155)
     source = 20 if kind >= 6 else 18
-    record = struct.Struct(f"<3i{source - 12}xH{size - source - 2}x")
-    for x, y, z, s in record.iter_unpack(data[offset:offset + count * size]):
-        yield (x * scale[0] + shift[0], y * scale[1] + shift[1], z * scale[2] + shift[2]), s
+    record = numpy.dtype({"names": ["at", "source"], "formats": ["<3i4", "<u2"], "offsets": [0, source], "itemsize": size})
+    rows = numpy.frombuffer(data, record, count, offset)
+    return rows["at"] * numpy.array(scale) + numpy.array(shift), rows["source"]
 
 
-def rays_of(frame, box, points, stations):
-    """Rays through a box on the wall: stopped before it, ended near its plane, ended behind; and points on the wall around."""
-    before = near = behind = around = 0
+def stations_of(places, sources, stations):
+    """The place of the station of each point: the recorded one, or the nearest one."""
+    at = numpy.array(list(stations.values()), float).reshape(-1, 3)
+    nearest = numpy.argmin([((places - s) ** 2).sum(1) for s in at], axis=0)
+    for k, name in enumerate(stations):
+        nearest[sources == name] = k
+    return at[nearest]
+
+
+def rays_of(frame, box, places, eyes):
+    """Rays through a box on the wall: stopped before it, ended near its plane, ended behind; and points on the wall around.
+    `reached` are those that met the opening or went through it."""
+    axes = numpy.array([frame.right, frame.up, frame.out]).T
+    flat, seen_from = (places - frame.origin) @ axes, (eyes - frame.origin) @ axes
     wide = (box[0] - 0.4, box[1] + 0.4, box[2] - 0.4, box[3] + 0.4)
-    middle = ((box[0] + box[1]) / 2, (box[2] + box[3]) / 2)
-    flat_stations = {k: frame.flat(s) for k, s in stations.items()}
-    for p, source in points:
-        u, v, w = frame.flat(p)
-        if max(abs(u - middle[0]), abs(v - middle[1]), abs(w)) > 60:
-            continue
-        s = flat_stations.get(source) or min(flat_stations.values(), key=lambda s: math.dist(s, (u, v, w)), default=(u, v, 1e6))
-        if s[2] < 0.5 or w > s[2] - 0.1:
-            continue
-        t = s[2] / (s[2] - w)
-        cu, cv = s[0] + t * (u - s[0]), s[1] + t * (v - s[1])
-        if not (wide[0] <= cu <= wide[1] and wide[2] <= cv <= wide[3]):
-            continue
-        if box[0] <= cu <= box[1] and box[2] <= cv <= box[3]:
-            if w > 0.25:
-                before += 1
-            elif w > -0.4:
-                near += 1
-            else:
-                behind += 1
-        elif abs(w) < 0.1:
-            around += 1
-    ring = area(wide) - area(box)
-    return dict(before=before, near=near, behind=behind, expected=around / ring * area(box) if ring else 0)
+    middle = numpy.array([(box[0] + box[1]) / 2, (box[2] + box[3]) / 2, 0])
+    w = flat[:, 2]
+    used = (numpy.abs(flat - middle).max(1) <= 60) & (seen_from[:, 2] >= 0.5) & (w <= seen_from[:, 2] - 0.1)
+    flat, seen_from = flat[used], seen_from[used]
+    w = flat[:, 2]
+    at = seen_from[:, :2] + (seen_from[:, 2] / (seen_from[:, 2] - w))[:, None] * (flat - seen_from)[:, :2]
+
+    def within(b):
+        return (at[:, 0] >= b[0]) & (at[:, 0] <= b[1]) & (at[:, 1] >= b[2]) & (at[:, 1] <= b[3])
+
+    inside, about = within(box), within(wide)
+    before, near = int((inside & (w > 0.25)).sum()), int((inside & (w <= 0.25) & (w > -0.4)).sum())
+    behind, ring = int(inside.sum()) - before - near, area(wide) - area(box)
+    around = int((about & ~inside & (numpy.abs(w) < 0.1)).sum())
+    expected = around / ring * area(box) if ring else 0
+    return dict(before=before, near=near, behind=behind, expected=expected, reached=max(near + behind, expected - before))
 
 
 def facades_of(out):
@@ -250,16 +260,19 @@ def losses_of(truth, facades, cloud):
     for _, t, d in sorted(pairs):
         if t not in taken and d not in used:
             taken[t], used[d] = d, t
-    points = list(points_of(cloud)) if len(taken) < len(boxes) else []
+    points, sources = points_of(cloud)
+    eyes = stations_of(points, sources, stations)
     rows = []
     for t, (frame, box, o) in enumerate(zip(frames, boxes, truth["openings"])):
+        rays = rays_of(frame, box, points, eyes)
+        reached = rays["reached"]
         if t in taken:
-            rows.append(dict(what="true", opening=o["id"], facade=o["facade"], cause="found", detail=drawn[taken[t]][0], tags=""))
+            rows.append(dict(what="true", opening=o["id"], facade=o["facade"], cause="found", detail=drawn[taken[t]][0], tags="",
+                             rays=reached))
             continue
-        rays = rays_of(frame, box, points, stations)
         cause, detail = cause_of_loss(frame, box, facades, rays)
         rows.append(dict(what="true", opening=o["id"], facade=o["facade"], cause=cause, detail=detail + " " + " ".join(
-            f"{k} {v:.0f}" for k, v in rays.items()), tags=" ".join(tags_of(frame, box, o, truth, rays))))
+            f"{k} {v:.0f}" for k, v in rays.items()), tags=" ".join(tags_of(frame, box, o, truth, rays)), rays=reached))
     for d, (name, e) in enumerate(drawn):
         if d in used:
             continue
@@ -268,7 +281,7 @@ def losses_of(truth, facades, cloud):
         cause = cause_in_vain(frame, frame.box(e["ring"]), truth, [(frame.box(truth["openings"][t]["ring"]), t) for t in near])
         b = frame.box(e["ring"])
         rows.append(dict(what="drawn", opening=e["id"], facade=name, cause=cause,
-                         detail=f"{e['kind']} {b[1] - b[0]:.2f} x {b[3] - b[2]:.2f} {e.get('reason', '')}", tags=""))
+                         detail=f"{e['kind']} {b[1] - b[0]:.2f} x {b[3] - b[2]:.2f} {e.get('reason', '')}", tags="", rays=0))
     return rows
 
 
@@ -287,6 +300,7 @@ def main():
     parser.add_argument("--list", action="store_true", help="each opening")
     parser.add_argument("--again", action="store_true", help="judge the results that are there")
     parser.add_argument("--tag", default="a")
+    parser.add_argument("--least-rays", type=float, default=50)
     given = parser.parse_args()
 
     def scan_words(seed):
@@ -306,6 +320,7 @@ def main():
     first, _, last = given.seeds.partition("-")
     given.folder.mkdir(parents=True, exist_ok=True)
     lost, vain, tags = collections.Counter(), collections.Counter(), collections.defaultdict(collections.Counter)
+    reached = collections.Counter()
     with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
         for seed, rows, folder in pool.map(lambda seed: judge(given, seed), range(int(first), int(last or first) + 1)):
             if rows is None:
@@ -320,16 +335,19 @@ def main():
             print(f"seed {seed}: {found} of {len(true)} found, {len(rows) - len(true)} in vain, {several} sheets with several houses  {folder}")
             for r in rows:
                 (lost if r["what"] == "true" else vain)[r["cause"]] += 1
+                reached[r["cause"]] += r["rays"] >= given.least_rays
                 for tag in r["tags"].split():
                     tags[r["cause"]][tag] += 1
                 if given.list and r["cause"] != "found":
                     print("   ", *r.values())
     total = sum(lost.values())
-    print(f"openings: {lost['found']} of {total} found, {sum(vain.values())} drawn in vain")
-    for name, counts in (("true openings", lost), ("drawn in vain", vain)):
+    print(f"openings: {lost['found']} of {total} found, {sum(vain.values())} drawn in vain; of those with {given.least_rays:.0f} rays "
+          f"{reached['found']} of {sum(reached.values())} found")
+    for name, counts in (("true openings: all, with rays", lost), ("drawn in vain", vain)):
         print(name)
         for cause, n in counts.most_common():
-            print(f"  {n:4d}  {cause}  {', '.join(f'{k} {v}' for k, v in tags[cause].most_common(6))}")
+            rays = f" {reached[cause]:4d}" if counts is lost else ""
+            print(f"  {n:4d}{rays}  {cause}  {', '.join(f'{k} {v}' for k, v in tags[cause].most_common(6))}")
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -116,6 +117,9 @@ RunOptions checked(RunOptions options) {
   if (options.output.empty()) throw Error("run: no output folder is given", ExitCode::usage);
   if (options.memory_bytes < kLeastMemory) throw Error("run: memory_bytes: at least 96 MiB", ExitCode::usage);
   if (options.threads < 0 || options.threads > 1024) throw Error("run: threads: 0 to 1024", ExitCode::usage);
+  if (options.area)
+    for (const double v : {options.area->min_x, options.area->min_y, options.area->max_x, options.area->max_y})
+      if (!std::isfinite(v)) throw Error("run: area: a coordinate is not finite", ExitCode::usage);
   for (const std::string& name : options.products) {
     const auto list = all_products();
     if (std::none_of(list.begin(), list.end(), [&](const Product* p) { return name == p->name; }))

@@ -121,8 +121,20 @@ class BlockNormals {
 
   // Finds the normals that are certain within the halo of the group, and puts the other points on the stack.
   void attempt(const Waiting& group, std::vector<Waiting>& stack) {
-    const IndexBox read = box_of(group.points).grown(group.margin);
-    View view = plan_view(store_, read, store_.blocks()[block_].node.min_corner());
+    const bool whole = group.points.size() == result_.size();
+    const std::vector<IndexBox> boxes = whole ? std::vector{store_.blocks()[block_].box} : boxes_of(group.points);
+    IndexBox read = IndexBox::none();
+    for (const IndexBox& b : boxes) {
+      read.add(b.min);
+      read.add(b.max);
+    }
+    read = read.grown(group.margin);
+    const auto is_near = [&](const IndexBox& chunk) {
+      const IndexBox reach = chunk.grown(group.margin);
+      return std::any_of(boxes.begin(), boxes.end(), [&](const IndexBox& b) { return b.intersects(reach); });
+    };
+    const Index3 anchor = store_.blocks()[block_].node.min_corner();
+    View view = whole ? plan_view(store_, read, anchor) : plan_view(store_, read, anchor, is_near);
     if (view.size > max_points_ && !group.unlimited) return divide(group, stack);
     load_points(store_, view);
     const std::vector<std::uint32_t> queries = positions(view, group.points);
@@ -133,7 +145,7 @@ class BlockNormals {
     for (std::size_t i = 0; i < queries.size(); ++i) {
       // Points farther than `clear` may not have been read. With fewer than k points, the result is certain only if all
       // of max_radius was read.
-      const std::int64_t clear = clearance(read, view, queries[i]);
+      const std::int64_t clear = whole ? clearance(read, view, queries[i]) : group.margin;
       const bool certain = reach2[i] < 0 ? clear >= radius_ : reach2[i] <= clear * clear;
       if (certain) {
         result_[group.points[i]] = found[i];
@@ -163,16 +175,23 @@ class BlockNormals {
     return index_of({store_.blocks()[block_].node.tile, code[0]});
   }
 
-  IndexBox box_of(std::span<const std::uint32_t> points) const {
-    const Block& b = store_.blocks()[block_];
-    if (points.size() == b.points) return b.box;
-    const auto codes = store_.read(block_, columns::kCodes, points.front(), points.back() - points.front() + 1);
-    IndexBox box = IndexBox::none();
-    for (const std::uint32_t i : points) {
-      const Index3 p = index_of({b.node.tile, codes[i - points.front()]});
-      box.add(p);
+  // Boxes that contain the points, each around a few of them. Points that wait are mostly at the borders of the block,
+  // so the box of all of them would be that of the block.
+  std::vector<IndexBox> boxes_of(std::span<const std::uint32_t> points) const {
+    constexpr std::uint32_t kApart = 256;                                         // a greater gap begins another box
+    const std::size_t together = std::max<std::size_t>(16, points.size() / 256);  // points of a box
+    const auto codes = store_.open(block_, columns::kCodes);
+    const Tile tile = store_.blocks()[block_].node.tile;
+    std::vector<std::uint64_t> around;
+    std::vector<IndexBox> boxes;
+    for (std::size_t i = 0, end = 0; i < points.size(); i = end) {
+      for (end = i + 1; end < points.size() && end - i < together && points[end] - points[end - 1] <= kApart;) ++end;
+      around.resize(points[end - 1] - points[i] + 1);
+      codes.read(points[i], around);
+      IndexBox& box = boxes.emplace_back(IndexBox::none());
+      for (std::size_t k = i; k < end; ++k) box.add(index_of({tile, around[points[k] - points[i]]}));
     }
-    return box;
+    return boxes;
   }
 
   static std::int64_t clearance(const IndexBox& box, const View& v, std::uint32_t i) {

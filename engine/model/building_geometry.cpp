@@ -44,4 +44,11 @@ double volume_m3(const Building& building, double metres_per_unit) {
   return sum / 6 * metres_per_unit * metres_per_unit * metres_per_unit;
 }
 
+const Building* finest_solid(std::span<const Building> levels) {
+  const Building* finest = nullptr;
+  for (const Building& level : levels)
+    if (!level.surfaces.empty() && !level.lod.starts_with('0')) finest = &level;
+  return finest;
+}
+
 }  // namespace ilot

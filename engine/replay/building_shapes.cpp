@@ -59,7 +59,7 @@ const char* name_of(PointRole role) {
 }
 
 const char* name_of(PointMembership membership) {
-  constexpr const char* kNames[] = {"none", "held", "ground"};
+  constexpr const char* kNames[] = {"none", "held", "beside", "ground"};
   return kNames[static_cast<int>(membership)];
 }
 

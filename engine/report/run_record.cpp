@@ -65,6 +65,12 @@ Json counts_json(const RunRecord& record) {
   return counts;
 }
 
+Json overlaps_json(const std::vector<OverlapRecord>& overlaps) {
+  Json list = Json::array();
+  for (const OverlapRecord& o : overlaps) list.push_back({{"id", o.id}, {"with", o.with}});
+  return list;
+}
+
 Json footprints_json(const FootprintsRecord& f) {
   return {{"path", f.path},
           {"footprints", f.footprints},
@@ -72,7 +78,8 @@ Json footprints_json(const FootprintsRecord& f) {
           {"transformed", f.transformed},
           {"mended", f.mended},
           {"without_outline", f.without_outline},
-          {"overlapping", f.overlapping},
+          {"overlapping", f.overlaps.size()},
+          {"overlaps", overlaps_json(f.overlaps)},
           {"outside", f.outside},
           {"shift_m", {f.shift_x_m, f.shift_y_m}},
           {"points_inside", f.inside},

@@ -60,11 +60,18 @@ struct FacadeCounts {
   std::uint64_t facades = 0, elements = 0, occluded_edges = 0;  // occluded_edges: edges of elements that were not seen
 };
 
+// An outline that shares a square metre or more with others.
+struct OverlapRecord {
+  std::string id;
+  std::vector<std::string> with;  // ids of the others
+};
+
 // The content of a file of footprints.
 struct FootprintsRecord {
   std::string path, id_attribute;  // no attribute: features were numbered
   std::uint64_t footprints = 0;
-  std::uint64_t mended = 0, without_outline = 0, overlapping = 0;  // of the outlines that were made from them
+  std::uint64_t mended = 0, without_outline = 0;  // of the outlines that were made from them
+  std::vector<OverlapRecord> overlaps;            // the same
   std::vector<std::string> outside;       // ids of those completely outside the extent of the cloud, which is no fault
   bool transformed = false;               // from another CRS
   double shift_x_m = 0, shift_y_m = 0;    // shift with which the outlines would contain the most points

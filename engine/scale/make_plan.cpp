@@ -247,7 +247,7 @@ void fill_folder(const PlanOptions& options, const RunInputs& inputs, std::vecto
   {
     const RoofSetup setup(index.store, sites, run.settings, inputs.crs, context);
     plan.roofs.frame = {setup.file.city_json.origin, setup.file.city_json.extent, setup.file.further};
-    if (record.footprints) record.footprints->overlapping = count_overlapping(sites, setup.map);
+    if (record.footprints) record.footprints->overlaps = overlaps_of(sites, setup.map);
   }
   plan.roofs.footprints = record.footprints;
   plan.roofs.extent = extent_of_points(index.store, context);

@@ -75,8 +75,10 @@ PlanInput input_of(const Json& j) {
 }
 
 Json footprints_json(const FootprintsRecord& f) {
+  Json overlaps = Json::array();
+  for (const OverlapRecord& o : f.overlaps) overlaps.push_back({{"id", o.id}, {"with", o.with}});
   return {{"path", path_text(f.path)},   {"id_attribute", f.id_attribute},       {"footprints", f.footprints},
-          {"mended", f.mended},          {"without_outline", f.without_outline}, {"overlapping", f.overlapping},
+          {"mended", f.mended},          {"without_outline", f.without_outline}, {"overlaps", overlaps},
           {"transformed", f.transformed}};
 }
 
@@ -87,7 +89,8 @@ FootprintsRecord footprints_of(const Json& j) {
   f.footprints = j.at("footprints").get<std::uint64_t>();
   f.mended = j.at("mended").get<std::uint64_t>();
   f.without_outline = j.at("without_outline").get<std::uint64_t>();
-  f.overlapping = j.at("overlapping").get<std::uint64_t>();
+  for (const Json& o : j.at("overlaps"))
+    f.overlaps.push_back({o.at("id").get<std::string>(), o.at("with").get<std::vector<std::string>>()});
   f.transformed = j.at("transformed").get<bool>();
   return f;
 }

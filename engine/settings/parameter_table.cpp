@@ -123,7 +123,7 @@ Parameters roofs_parameters() {
       make("roofs.cluster_points", ILOT_FIELD(roofs.cluster_points), {3, 1e9}, "points",
            "fewest points of a building, without footprints"),
       make("roofs.margin", ILOT_FIELD(roofs.margin), {0, 5}, "m",
-           "points outside of all outlines but so near to one are its building's"),
+           "points outside of the outline and so near to it count where they lie on a plane of the building"),
       make("roofs.epsilon", ILOT_FIELD(roofs.epsilon), {0.001, 10}, "m",
            "greatest distance of a point from its roof face"),
       make("roofs.min_points", ILOT_FIELD(roofs.min_points), {3, 1e9}, "points", "fewest points of a roof face"),

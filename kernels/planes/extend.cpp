@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
+
+#include "kernels/core/radix_sort.h"
 
 namespace ilot {
 namespace {
@@ -18,11 +21,6 @@ constexpr std::int64_t kContactPart = 1;     // planes touch in neighbouring vox
 constexpr std::int64_t kSurfacePart = 3;     // and the surface is averaged over cubes with an edge of the reach
 constexpr std::uint32_t kLeastContacts = 2;  // pairs of neighbouring voxels in which two planes touch
 
-std::uint64_t key_of_voxel(std::int64_t x, std::int64_t y, std::int64_t z) {
-  const auto part = [](std::int64_t v) { return static_cast<std::uint64_t>(v + (1 << (kBits - 1))); };
-  return part(x) << 2 * kBits | part(y) << kBits | part(z);
-}
-
 // Points are grouped by the voxel they are in and the label that they have before the call.
 class Voxels {
  public:
@@ -34,16 +32,17 @@ class Voxels {
     Vec3 sum;
   };
 
-  Voxels(Points points, std::span<const std::uint8_t> core, std::int64_t edge) : p_(points), core_(core), edge_(edge) {}
+  Voxels(Points points, std::span<const std::uint8_t> core, std::int64_t edge)
+      : p_(points), core_(core), per_unit_(1 / static_cast<double>(edge)) {}
 
   void add(std::uint32_t i, std::uint32_t label) { members_.push_back({voxel_of(i), std::uint64_t{label} << 32 | i}); }
 
   void group() {
-    std::sort(members_.begin(), members_.end());
+    sort_pairs(members_, {std::make_unique_for_overwrite<KeyValue[]>(members_.size()).get(), members_.size()});
     groups_.clear();
     for (std::uint32_t m = 0; m < members_.size(); ++m) {
-      const std::uint64_t voxel = members_[m].voxel;
-      const std::uint32_t label = members_[m].label(), i = members_[m].point();
+      const std::uint64_t voxel = members_[m].key;
+      const std::uint32_t label = static_cast<std::uint32_t>(members_[m].value >> 32), i = point(m);
       if (groups_.empty() || groups_.back().voxel != voxel || groups_.back().label != label)
         groups_.push_back({voxel, label, m, m, false, false, 0, {}});
       Group& g = groups_.back();
@@ -56,7 +55,7 @@ class Voxels {
   }
 
   const std::vector<Group>& groups() const { return groups_; }
-  std::uint32_t point(std::uint32_t member) const { return members_[member].point(); }
+  std::uint32_t point(std::uint32_t member) const { return static_cast<std::uint32_t>(members_[member].value); }
 
   // Calls visit(index of group) for all groups in the 27 voxels around that of a group.
   template <class Visit>
@@ -69,15 +68,6 @@ class Voxels {
   }
 
  private:
-  struct Member {
-    std::uint64_t voxel, label_and_point;
-    std::uint32_t label() const { return static_cast<std::uint32_t>(label_and_point >> 32); }
-    std::uint32_t point() const { return static_cast<std::uint32_t>(label_and_point); }
-    friend bool operator<(const Member& a, const Member& b) {
-      return a.voxel != b.voxel ? a.voxel < b.voxel : a.label_and_point < b.label_and_point;
-    }
-  };
-
   static constexpr std::size_t kColumns = 9;  // of three voxels each, one above the other, around a voxel
 
   // The difference of the keys of the middle voxel of a column and of the voxel itself; it may wrap.
@@ -103,18 +93,21 @@ class Voxels {
     }
   }
 
+  // Coordinates are integers. Half a unit keeps the quotient farther from the next integer than the rounding of
+  // doubles.
   std::uint64_t voxel_of(std::uint32_t i) const {
+    // Derived: half of what a key holds, so that coordinates of either sign are positive.
+    constexpr double kMiddle = 1 << (kBits - 1);
     const auto at = [&](float v) {
-      const auto whole = static_cast<std::int64_t>(v);
-      return whole >= 0 ? whole / edge_ : -((edge_ - 1 - whole) / edge_);
+      return static_cast<std::uint64_t>((static_cast<double>(v) + 0.5) * per_unit_ + kMiddle);
     };
-    return key_of_voxel(at(p_.x[i]), at(p_.y[i]), at(p_.z[i]));
+    return at(p_.x[i]) << 2 * kBits | at(p_.y[i]) << kBits | at(p_.z[i]);
   }
 
   Points p_;
   std::span<const std::uint8_t> core_;
-  std::int64_t edge_;
-  std::vector<Member> members_;
+  double per_unit_;                // voxels
+  std::vector<KeyValue> members_;  // voxel; label and point
   std::vector<Group> groups_;
   std::vector<std::uint32_t> voxel_number_, begins_;  // of each group; kColumns of each voxel
 };

@@ -2,13 +2,15 @@
 """Point clouds as arrays: LAS, LAZ, COPC, E57, PTX, PTS, PLY, PCD and text in; LAS, LAZ, COPC and PLY out."""
 from __future__ import annotations
 
+import operator
+import os
 from typing import Any, Iterable
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _ilot
-from ._types import Floats, Path
+from ._types import Floats, Path, usage_fault
 
 
 def read_cloud(path: Path, *, first: int = 0, most: int | None = None, extra: Iterable[str] = ()) -> dict[str, NDArray[Any]]:
@@ -20,13 +22,17 @@ def read_cloud(path: Path, *, first: int = 0, most: int | None = None, extra: It
     >>> sorted(points)[-3:]
     ['x', 'y', 'z']
     """
-    return _ilot.read_cloud(path, first, most, list(extra))
+    rows = [operator.index(first), operator.index(most) if most is not None else 0]
+    if min(rows) < 0:
+        raise usage_fault(f"first={rows[0]}, most={most}: rows are counted from 0")
+    names = [extra] if isinstance(extra, str) else list(extra)
+    return _ilot.read_cloud(os.fspath(path), rows[0], None if most is None else rows[1], names)
 
 
 def info(path: Path) -> dict[str, Any]:
     """Returns what the points of a cloud really are, as `ilot info` says: number, bounds, classes, density (points/m2),
     sampling step (m), strays, warnings, and for each product whether the cloud suits it and why."""
-    return _ilot.info(path)
+    return _ilot.info(os.fspath(path))
 
 
 def write_cloud(path: Path, x: Floats, y: Floats, z: Floats, *, intensity: NDArray[np.uint16] | None = None,
@@ -36,4 +42,4 @@ def write_cloud(path: Path, x: Floats, y: Floats, z: Floats, *, intensity: NDArr
     """Writes .las, .laz, .copc.laz or .ply, which appears whole or not at all. x, y, z: float64, CRS units, rounded to
     multiples of `scale`. intensity, red, green, blue: uint16. classification: uint8. crs: "EPSG:2154", or empty."""
     attributes = {"intensity": intensity, "classification": classification, "red": red, "green": green, "blue": blue}
-    _ilot.write_cloud(path, x, y, z, attributes, crs, scale)
+    _ilot.write_cloud(os.fspath(path), x, y, z, attributes, crs, scale)

@@ -5,11 +5,15 @@ from __future__ import annotations
 import dataclasses
 import difflib
 import inspect
+import math
+import operator
 import os
 from typing import Any, Callable, Iterable
 
+import numpy as np
+
 from . import _ilot
-from ._types import Path
+from ._types import Path, usage_fault
 
 _PRODUCTS = ("planes", "roofs", "facades", "streets")
 
@@ -34,6 +38,41 @@ class RunResult:
     result_hash: str
 
 
+def _setting_text(value: Any) -> str:
+    """The value as TOML has it; None is auto."""
+    if value is None:
+        return "auto"
+    if isinstance(value, (bool, np.bool_)):
+        return "true" if value else "false"
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return "[" + ", ".join(_setting_text(v) for v in value) + "]"
+    return str(value)
+
+
+def _memory(memory: int | str) -> int | str:
+    if isinstance(memory, str):
+        return memory
+    number = operator.index(memory)
+    if not 0 <= number < 2**64:
+        raise usage_fault(f"memory={number}: a number of bytes is expected, or text as \"512M\" or \"2G\"")
+    return number
+
+
+def _bounds(bounds: Iterable[float] | None) -> tuple[float, ...] | None:
+    if bounds is None:
+        return None
+    corners = tuple(float(v) for v in bounds)
+    if len(corners) != 4 or not all(math.isfinite(v) for v in corners):
+        raise usage_fault(f"bounds={corners}: four finite numbers are expected, x0, y0, x1, y1")
+    return corners
+
+
+def _function(name: str, function: Any) -> Any:
+    if function is not None and not callable(function):
+        raise TypeError(f"{name}: a function is expected, not {type(function).__name__}")
+    return function
+
+
 def run(inputs: Path | Iterable[Path], output: Path, *, products: str | Iterable[str] = ("planes",),
         settings: dict[str, Any] | None = None, memory: int | str = "2G", threads: int = 0, footprints: Path = "",
         id_field: str = "", stations: Path = "", train: Path = "", bounds: tuple[float, float, float, float] | None = None,
@@ -43,18 +82,21 @@ def run(inputs: Path | Iterable[Path], output: Path, *, products: str | Iterable
         message: Callable[[str], Any] | None = None) -> RunResult:
     """Makes the products of the clouds in the folder `output`, which appears when it is whole. Returns a RunResult.
 
-    inputs: a path or several (files, folders, patterns). settings: {"planes.epsilon": 0.02}; parameters() lists them. memory:
-    bytes or "512M". bounds: (x0, y0, x1, y1) in CRS units. existing: refuse, resume or overwrite. progress(stage, done, total,
+    inputs: a path or several (files, folders, patterns). settings: {"planes.epsilon": 0.02}; parameters() lists them, None is
+    auto. memory: bytes or "512M". bounds: (x0, y0, x1, y1) in CRS units. existing: refuse, resume or overwrite. progress(stage, done, total,
     seconds) and message(line) are called while it works; what they raise stops the run and is raised again. Ctrl-C raises
     KeyboardInterrupt, and existing="resume" continues."""
     if isinstance(inputs, (str, os.PathLike)):
         inputs = [inputs]
     if isinstance(products, str):
         products = [products]
-    return RunResult(**_ilot.run(list(inputs), output, list(products), settings or {}, memory=memory, threads=threads,
-                                 footprints=footprints, id_field=id_field, stations=stations, train=train, bounds=bounds,
+    return RunResult(**_ilot.run(list(inputs), output, list(products), 
+                                 {key: _setting_text(v) for key, v in (settings or {}).items()}, memory=_memory(memory),
+                                 threads=operator.index(threads),
+                                 footprints=footprints, id_field=id_field, stations=stations, train=train, bounds=_bounds(bounds),
                                  crs=crs, to_crs=to_crs, existing=existing, strict=strict, keep_store=keep_store, clouds=clouds,
-                                 report=report, store=store, progress=progress, message=message))
+                                 report=report, store=store, progress=_function("progress", progress),
+                                 message=_function("message", message)))
 
 
 def read_run(folder: Path) -> RunResult:

@@ -20,12 +20,21 @@ namespace py = pybind11;
 
 // Returns the values of a one-dimensional contiguous array of T. `name` stands for it in messages.
 template <typename T>
-std::span<const T> values_of(const py::array& array, const char* name) {
+std::span<const T> values_of(const py::object& given, const char* name) {
   const std::string what = name;
   const std::string type = py::str(py::dtype::of<T>());
+  const auto refuse_type = [&](const std::string& found) {
+    throw Error(what + ": an array of " + type + " is expected, not " + found + "; numpy.ascontiguousarray(" + what +
+                    ", dtype=\"" + type + "\") makes one",
+                ExitCode::usage);
+  };
+  if (!py::isinstance<py::array>(given)) refuse_type(py::str(py::type::of(given).attr("__name__")));
+  const auto array = py::reinterpret_borrow<py::array>(given);
   if (!py::isinstance<py::array_t<T>>(array) || array.dtype().byteorder() == '>')
-    throw Error(what + ": an array of " + type + " is expected, not of " + py::str(array.dtype()).cast<std::string>() +
-                    "; numpy.ascontiguousarray(" + what + ", dtype=\"" + type + "\") makes one",
+    refuse_type("of " + py::str(array.dtype()).cast<std::string>());
+  if (py::hasattr(array, "mask"))
+    throw Error(what + ": the mask of a masked array would be ignored; choose the points by " + what +
+                    ".data[~mask], with one mask for all arrays",
                 ExitCode::usage);
   if (array.ndim() != 1)
     throw Error(what + ": one dimension is expected, not " + std::to_string(array.ndim()), ExitCode::usage);
@@ -37,7 +46,7 @@ std::span<const T> values_of(const py::array& array, const char* name) {
 }
 
 // Returns x, y and z as the functions over points in memory take them.
-inline PointArrays points_of(const py::array& x, const py::array& y, const py::array& z) {
+inline PointArrays points_of(const py::object& x, const py::object& y, const py::object& z) {
   return {values_of<double>(x, "x"), values_of<double>(y, "y"), values_of<double>(z, "z")};
 }
 

@@ -137,13 +137,11 @@ void write_arrays(CloudWriter& writer, const WrittenArrays& a) {
 template <typename T>
 std::span<const T> values_or_none(const py::object& array, const char* name) {
   if (array.is_none()) return {};
-  if (!py::isinstance<py::array>(array))
-    throw Error(std::string(name) + ": a numpy array is expected", ExitCode::usage);
-  return values_of<T>(array.cast<py::array>(), name);
+  return values_of<T>(array, name);
 }
 
-void write_cloud_python(const std::filesystem::path& path, const py::array& x, const py::array& y, const py::array& z,
-                        const py::dict& attributes, const std::string& crs, double scale) {
+void write_cloud_python(const std::filesystem::path& path, const py::object& x, const py::object& y,
+                        const py::object& z, const py::dict& attributes, const std::string& crs, double scale) {
   WrittenArrays a{points_of(x, y, z),
                   values_or_none<std::uint16_t>(attributes["intensity"], "intensity"),
                   values_or_none<std::uint16_t>(attributes["red"], "red"),

@@ -14,8 +14,8 @@ namespace ilot {
 
 namespace {
 
-py::tuple neighbours_python(const py::array& x, const py::array& y, const py::array& z, int count, double max_distance,
-                            double step, int threads) {
+py::tuple neighbours_python(const py::object& x, const py::object& y, const py::object& z, int count,
+                            double max_distance, double step, int threads) {
   const PointArrays points = points_of(x, y, z);
   NeighbourTable table;
   {
@@ -26,7 +26,7 @@ py::tuple neighbours_python(const py::array& x, const py::array& y, const py::ar
   return py::make_tuple(array_from(std::move(table.index), shape), array_from(std::move(table.distance), shape));
 }
 
-py::tuple normals_python(const py::array& x, const py::array& y, const py::array& z, int count, double max_distance,
+py::tuple normals_python(const py::object& x, const py::object& y, const py::object& z, int count, double max_distance,
                          double step, int threads) {
   const PointArrays points = points_of(x, y, z);
   NormalArrays normals;
@@ -38,7 +38,7 @@ py::tuple normals_python(const py::array& x, const py::array& y, const py::array
                         array_from(std::move(normals.z)), array_from(std::move(normals.curvature)));
 }
 
-py::tuple clusters_python(const py::array& x, const py::array& y, const py::array& z, double radius, double step) {
+py::tuple clusters_python(const py::object& x, const py::object& y, const py::object& z, double radius, double step) {
   const PointArrays points = points_of(x, y, z);
   Clusters found;
   {
@@ -48,7 +48,8 @@ py::tuple clusters_python(const py::array& x, const py::array& y, const py::arra
   return py::make_tuple(array_from(std::move(found.id)), found.count);
 }
 
-py::dict planes_python(const py::array& x, const py::array& y, const py::array& z, const PlaneSearchOptions& options) {
+py::dict planes_python(const py::object& x, const py::object& y, const py::object& z,
+                       const PlaneSearchOptions& options) {
   const PointArrays points = points_of(x, y, z);
   PlaneSearchResult found;
   {
@@ -68,7 +69,7 @@ py::dict planes_python(const py::array& x, const py::array& y, const py::array& 
   return out;
 }
 
-py::array triangles_python(const py::array& x, const py::array& y, double step) {
+py::array triangles_python(const py::object& x, const py::object& y, double step) {
   const auto xs = values_of<double>(x, "x"), ys = values_of<double>(y, "y");
   Triangulation made;
   {
@@ -79,7 +80,7 @@ py::array triangles_python(const py::array& x, const py::array& y, double step) 
   return array_from(std::move(made.corner), {rows, 3});
 }
 
-py::tuple alpha_shape_python(const py::array& x, const py::array& y, double reach, bool fill_holes, double step) {
+py::tuple alpha_shape_python(const py::object& x, const py::object& y, double reach, bool fill_holes, double step) {
   const auto xs = values_of<double>(x, "x"), ys = values_of<double>(y, "y");
   AlphaShape shape;
   {
@@ -104,7 +105,7 @@ void bind_points(py::module_& m) {
   m.def("delaunay", &triangles_python);
   m.def("alpha_shape", &alpha_shape_python);
   m.def("find_planes",
-        [](const py::array& x, const py::array& y, const py::array& z, std::optional<double> epsilon,
+        [](const py::object& x, const py::object& y, const py::object& z, std::optional<double> epsilon,
            std::optional<double> normal_angle_deg, std::optional<std::uint32_t> min_points,
            std::optional<double> connectivity, double probability, std::uint64_t seed, double step, int threads) {
           PlaneSearchOptions options;

@@ -28,11 +28,10 @@ void apply_setting(Settings& settings, const std::string& assignment) {
   }
 }
 
+// Values are text as TOML has it: runs.py makes it.
 void apply_settings(Settings& settings, const py::dict& values) {
   for (const auto& [key, value] : values) {
-    const bool boolean = py::isinstance<py::bool_>(value);
-    const std::string text = boolean ? (value.cast<bool>() ? "true" : "false") : py::str(value).cast<std::string>();
-    apply_setting(settings, py::str(key).cast<std::string>() + "=" + text);
+    apply_setting(settings, py::str(key).cast<std::string>() + "=" + py::str(value).cast<std::string>());
   }
 }
 

@@ -10,7 +10,8 @@ import unittest
 
 from support import CliCase, ilot
 
-COMMANDS = ("run", "info", "convert", "scan", "draw", "evaluate", "render", "replay", "plan", "task", "merge", "report", "validate", "view",
+COMMANDS = ("run", "info", "convert", "scan", "draw", "export", "evaluate", "render", "replay", "plan", "task", "merge",
+            "report", "validate", "view",
             "doctor", "manual", "completion")
 
 

@@ -7,6 +7,7 @@
 #include <ilot/error.h>
 #include <ilot/facades.h>
 #include <ilot/geometry.h>
+#include <ilot/ilot.h>
 #include <ilot/neighbours.h>
 #include <ilot/parameters.h>
 #include <ilot/plane_search.h>

@@ -136,13 +136,20 @@ class Package(unittest.TestCase):
         x, y, z = self.places
         for bad, words in ((x.astype("f4"), "float32"), (x[::2], "contiguous"), (x.reshape(2, -1), "one dimension"),
                            (x[:-1].copy(), "different lengths"), (x.astype(">f8"), "float64"), (np.array([]), "lengths"),
-                           (np.full_like(x, np.nan), "finite")):
+                           (np.full_like(x, np.nan), "finite"), (list(x), "list"), (None, "NoneType"), (3.0, "float"),
+                           (np.array(3.0), "one dimension"), (x.astype(object), "object"), (x[::-1], "contiguous"),
+                           (np.ma.masked_array(x, x > x[0]), "mask"), (np.asfortranarray(x.reshape(2, -1)), "one dimension")):
             self.refused(words, ilot.estimate_normals, bad, y, z)
         empty = np.array([])
         self.refused("there are none", ilot.estimate_normals, empty, empty, empty)
         locked = x.copy()
         locked.flags.writeable = False
         ilot.estimate_normals(locked, y, z)  # arrays are read only
+        self.refused("at least 3", ilot.find_planes, x, y, z, min_points=-3)
+        with self.assertRaises(TypeError):
+            ilot.nearest_neighbours(x, y, z, 2.5)
+        self.refused("first=-1", ilot.read_cloud, self.cloud, first=-1)
+        self.refused("'classes'", ilot.read_cloud, self.cloud, extra="classes")
         self.refused("uint8", ilot.write_cloud, self.folder / "w.laz", x, y, z, classification=x)
         self.assertFalse((self.folder / "w.laz").exists())
 
@@ -150,9 +157,33 @@ class Package(unittest.TestCase):
         self.refused("planes.epsilon", ilot.run, self.cloud, self.folder / "w", settings={"planes.epsilom": 1})
         self.refused("512M", ilot.run, self.cloud, self.folder / "w", memory="lots")
         self.refused("overwrite", ilot.run, self.cloud, self.folder / "w", existing="yes")
+        for bounds in ((1, 2, 3), (1, 2, 3, float("nan"))):
+            self.refused("four finite numbers", ilot.run, self.cloud, self.folder / "w", bounds=bounds)
+        self.refused("number of bytes", ilot.run, self.cloud, self.folder / "w", memory=-1)
+        with self.assertRaisesRegex(TypeError, "progress"):
+            ilot.run(self.cloud, self.folder / "w", progress=3)
         with self.assertRaisesRegex(TypeError, "did you mean detail"):
             ilot.roofs(self.cloud, self.folder / "w", detial=1)
         self.assertFalse((self.folder / "w").exists())
+
+    def test_values_of_numpy_are_settings(self):
+        options = {"report": False, "existing": "overwrite", "clouds": False}
+        given = {"planes.epsilon": np.float64(0.1), "planes.curved": np.bool_(False), "classes.noise": np.array([7, 18]),
+                 "planes.min_points": None, "classes.building": (6,)}
+        one = ilot.run(self.cloud, self.folder / "numpy", settings=given, memory=np.int64(2**30), threads=np.int32(1), **options)
+        two = ilot.run(self.cloud, self.folder / "numpy", settings={"planes.epsilon": 0.1, "planes.curved": False}, **options)
+        self.assertEqual(one.result_hash, two.result_hash)
+
+    def test_a_fork_works_after_a_run(self):
+        script = ("import ilot, multiprocessing, sys\n"
+                  "def make(folder): return ilot.run(sys.argv[1], folder, report=False).result_hash\n"
+                  "one = make(sys.argv[2] + '/parent')\n"
+                  "with multiprocessing.get_context('fork').Pool(2) as pool:\n"
+                  "    print({one, *pool.map(make, [sys.argv[2] + '/a', sys.argv[2] + '/b'])} == {one})\n")
+        room = self.folder / "forks"
+        room.mkdir()
+        done = subprocess.run([sys.executable, "-c", script, self.cloud, room], capture_output=True, text=True, timeout=300)
+        self.assertEqual(done.stdout.strip(), "True", done.stderr)
 
     def test_what_a_callback_raises_stops_the_run(self):
         def raise_it(*_):
@@ -186,14 +217,16 @@ class Package(unittest.TestCase):
         self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler, "the handler is Python's again")
 
     def test_the_examples_of_the_page_run(self):
-        page = (pathlib.Path(__file__).resolve().parents[2] / "docs/python.md").read_text()
+        root = pathlib.Path(__file__).resolve().parents[2]
+        page = (root / "docs/python.md").read_text() + (root / "README.md").read_text()
         folder = self.folder / "page"
         folder.mkdir()
         (folder / "town.laz").write_bytes(self.cloud.read_bytes())
         examples = [part.split("```")[0] for part in page.split("```python\n")[1:]]
-        self.assertGreater(len(examples), 2)
+        self.assertGreater(len(examples), 3)
         for example in examples:
             if "geopandas" in example and importlib.util.find_spec("geopandas") is None:
+                print("SKIPPED: an example needs python3-geopandas", file=sys.stderr)
                 continue
             done = subprocess.run([sys.executable, "-c", example], cwd=folder, capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, example + done.stderr)

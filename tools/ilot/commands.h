@@ -19,6 +19,7 @@ void add_task_command(CLI::App& app, Action& action);
 void add_merge_command(CLI::App& app, Action& action);
 void add_scan_command(CLI::App& app, Action& action);
 void add_draw_command(CLI::App& app, Action& action);
+void add_export_command(CLI::App& app, Action& action);
 void add_evaluate_command(CLI::App& app, Action& action);
 void add_render_command(CLI::App& app, Action& action);
 void add_report_command(CLI::App& app, Action& action);

@@ -4,9 +4,12 @@
 #include <cpl_conv.h>
 #include <gdal_priv.h>
 
+#include <string>
+
 #include "engine/deliverables/layers/silent_gdal.h"
 #include "engine/deliverables/layers/spatial_reference.h"
 #include "engine/error.h"
+#include "kernels/core/parallel.h"
 
 namespace ilot {
 namespace {
@@ -36,6 +39,8 @@ RasterFile::RasterFile(const std::filesystem::path& path, const RasterPlace& pla
                              "SPARSE_OK=TRUE", "BIGTIFF=IF_SAFER"})
     options = CSLAddString(options, option);
   options = CSLAddString(options, value == RasterValue::real ? "PREDICTOR=3" : "PREDICTOR=2");
+  // GDAL compresses tiles on threads of its own and writes them in the order in which they came.
+  options = CSLSetNameValue(options, "NUM_THREADS", std::to_string(thread_count()).c_str());
   dataset_->file.reset(driver->Create(path.c_str(), static_cast<int>(place.width), static_cast<int>(place.height), 1,
                                       value == RasterValue::real ? GDT_Float32 : GDT_UInt32, options));
   CSLDestroy(options);
@@ -55,10 +60,13 @@ RasterFile::~RasterFile() {
 
 void RasterFile::write(std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t height,
                        std::span<const float> values) {
+  CPLErrorReset();
   const CPLErr failed = dataset_->file->GetRasterBand(1)->RasterIO(
       GF_Write, static_cast<int>(x), static_cast<int>(y), static_cast<int>(width), static_cast<int>(height),
       const_cast<float*>(values.data()), static_cast<int>(width), static_cast<int>(height), GDT_Float32, 0, 0, nullptr);
   if (failed != CE_None || dataset_->file->GetRasterBand(1)->FlushCache(false) != CE_None) dataset_->fail();
+  // A tile of an earlier call that was compressed in the meantime and cannot be written is told here only.
+  if (CPLGetLastErrorType() >= CE_Failure) dataset_->fail();
 }
 
 void RasterFile::finish() {

@@ -55,7 +55,6 @@ constexpr BuildingField kBuildingFields[] = {
     {"quality", kText, "", "`good`, `check` or `bad`: see `roofs.md`", nullptr},
     {"quality_reason", kText, "", "in words, the figure that decided; none where the quality is good", nullptr},
     {"outline", kText, "", "what was wrong with the outline and has been mended", nullptr},
-    {"overlaps", kText, "", "ids of the buildings whose outlines share a square metre or more with this one", nullptr},
     {"unit_id", kWhole, "", "number of the building in this run, dense from 1: `unit_id` of its points", nullptr},
 };
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/model/building_geometry.h"
 #include "engine/model/face_triangles.h"
 #include "engine/whole_file.h"
 
@@ -99,9 +100,7 @@ RoofsObj::RoofsObj(const std::filesystem::path& path, const RoofsObjParams& para
 }
 
 void RoofsObj::add(std::span<const Building> levels) {
-  const Building* building = nullptr;
-  for (const Building& level : levels)
-    if (!level.surfaces.empty() && !level.lod.starts_with('0')) building = &level;
+  const Building* building = finest_solid(levels);
   if (!building) return;
   const NumberedVertices vertices = number_vertices(*building, params_, vertices_);
   vertices_ += vertices.fresh;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "engine/columns/colours_pass.h"
@@ -38,7 +39,6 @@ constexpr const char* kOutlinesDropped =
     "facades: the {} smallest planes are not held against lines of sight; occluded shares may be too small";
 constexpr const char* kNoStations =
     "facades: no station is known (see --stations): laser shadows cannot be distinguished from openings by their rays";
-
 constexpr const char* kUndecidedSide =
     "facades: which side is the street is not certain for {} of {}, which are drawn from the likelier side; "
     "--set facades.side=[N] turns N: {}";
@@ -223,15 +223,18 @@ void reach_tops(std::span<const FoundFacade> found, std::vector<WallGroup>& wall
       }
 }
 
-// Writes one facade after the other, each in parallel; an image takes 64 MB at most.
-void write_facades(std::span<const FoundFacade> found, std::span<const WallGroup> walls, const FacadeWork& work,
-                   FacadeFilesParams params, const std::filesystem::path& folder, Progress& progress) {
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const Facade& facade = found[i].facade;
-    params.points = points_around(work, walls[i]);
-    write_facade_files(folder, facade, params);
-    progress.unit_done(facade_name(facade.id), 0, i + 1, found.size());
-  }
+// Writes several facades at once: while an image is compressed, which takes one thread, others are painted.
+void write_facades(const FacadesOfRun& run, const FacadeFilesParams& params, const std::filesystem::path& folder,
+                   const PassContext& context, Progress& progress) {
+  // An image of four bytes a pixel, and its file, which grows in memory.
+  const PassTask each{std::uint64_t{params.image.most_pixels} * 8, 0};
+  std::atomic<std::size_t> done{0};
+  run_pass(std::vector(run.found.size(), each), context.budget_bytes, [&](std::size_t i) {
+    FacadeFilesParams own = params;
+    own.points = points_around(run.work, run.walls[i]);
+    write_facade_files(folder, run.found[i].facade, own);
+    progress.unit_done(facade_name(run.found[i].facade.id), 0, ++done, run.found.size());
+  });
 }
 
 // Draws each row of houses on a sheet of its own too.
@@ -387,7 +390,7 @@ void make_facades(const Store& store, const PlanesResult& planes, const Settings
   write_facade_labels(run->work, run->walls, run->found, context);
   if (!run->found.empty()) {
     const FacadeFilesParams params = files_params(settings, inputs, colours_of_points(store, inputs, context));
-    write_facades(run->found, run->walls, run->work, params, folder, progress);
+    write_facades(*run, params, folder, context, progress);
     write_rows(run->found, settings.facades, params, folder);
   }
   record.facades = counts;

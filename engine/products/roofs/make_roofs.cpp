@@ -2,7 +2,6 @@
 #include "engine/products/roofs/make_roofs.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdio>
 
@@ -185,10 +184,17 @@ std::vector<PointLabel> labels_of_others(const SiteWork& work, const PassContext
 
 }  // namespace
 
-std::uint64_t count_overlapping(std::span<const PlannedSite> sites, const OutlineMap& map) {
-  std::atomic<std::uint64_t> count{0};
-  parallel_for(sites.size(), [&](std::size_t i) { count += !overlapping(sites, map, i).empty(); });
-  return count;
+std::vector<OverlapRecord> overlaps_of(std::span<const PlannedSite> sites, const OutlineMap& map) {
+  std::vector<std::vector<std::uint32_t>> others(sites.size());
+  parallel_for(sites.size(), [&](std::size_t i) { others[i] = overlapping(sites, map, i); });
+  std::vector<OverlapRecord> overlaps;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (others[i].empty()) continue;
+    OverlapRecord& record = overlaps.emplace_back();
+    record.id = sites[i].id;
+    for (const std::uint32_t other : others[i]) record.with.push_back(sites[other].id);
+  }
+  return overlaps;
 }
 
 ShiftCounts model_buildings(const RoofSetup& setup, std::span<const std::size_t> sites,
@@ -211,7 +217,7 @@ void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Se
   const RoofSetup setup(store, sites, settings, crs, context);
   const std::vector<std::size_t> wanted = wanted_sites(sites, store, context);
   const bool given = out.record.footprints.has_value();
-  if (given) out.record.footprints->overlapping = count_overlapping(sites, setup.map);
+  if (given) out.record.footprints->overlaps = overlaps_of(sites, setup.map);
   std::filesystem::create_directories(out.folder);
   RoofLabels labels(store);
   RoofSink sink(out.folder, setup.file, crs, &labels, out.record);

@@ -30,8 +30,8 @@ std::vector<std::size_t> sample_of_sites(std::size_t sites);
 // Records how far the outlines lie beside the points, and warns where moving them is worth it.
 void record_misalignment(const ShiftCounts& counts, Progress& progress, RunRecord& record);
 
-// The number of sites that share ground with another one.
-std::uint64_t count_overlapping(std::span<const PlannedSite> sites, const OutlineMap& map);
+// The sites that share ground with others, in the order of ids.
+std::vector<OverlapRecord> overlaps_of(std::span<const PlannedSite> sites, const OutlineMap& map);
 
 // Turns sites into buildings, from a store with the column "role" (PointRole). It gathers the points of each site,
 // models it, and writes roofs.city.jsonl into the folder (and .json when it is not too large) in the order of the

@@ -32,6 +32,7 @@ void RoofLabels::add(std::uint32_t unit, std::uint32_t first_plane, std::span<co
 std::vector<RoofLabel> RoofLabels::of_block(std::uint32_t block) const {
   std::vector<RoofLabel> labels(store_.blocks()[block].points);
   if (runs_[block].empty()) return labels;
+  std::vector<std::uint8_t> away(labels.size());
   const ColumnReader<SitePointLabel> file(path_);
   std::vector<SitePointLabel> part;
   for (const Run& run : runs_[block]) {
@@ -39,7 +40,9 @@ std::vector<RoofLabel> RoofLabels::of_block(std::uint32_t block) const {
     file.read(run.first, part);
     for (const SitePointLabel& s : part) {
       RoofLabel& label = labels[s.point];
-      if (label.unit == 0) label = {run.unit, s.plane == 0 ? 0 : run.first_plane + s.plane - 1, s.label};
+      if (label.unit != 0 && away[s.point] <= s.away) continue;
+      label = {run.unit, s.plane == 0 ? 0 : run.first_plane + s.plane - 1, s.label};
+      away[s.point] = s.away;
     }
   }
   return labels;

@@ -28,7 +28,8 @@ struct SitePointLabel {
   std::uint32_t point = 0;
   std::uint32_t plane = 0;  // of the building, from 1; 0 = none
   PointLabel label = PointLabel::none;
-  std::uint8_t unused[3] = {};  // written to disk
+  std::uint8_t away = 0;        // 0 = in the building's outline, else rising with the distance from it
+  std::uint8_t unused[2] = {};  // written to disk
 };
 
 // A run of stored labels: its position in the file.
@@ -46,7 +47,8 @@ class RoofLabels {
   LabelRun store_labels(std::uint32_t block, std::span<const SitePointLabel> labels);
 
   // Adds the runs of a building. Units come in ascending order. Plane 1 of the building gets the number first_plane. If
-  // a point has two labels, that of the smaller unit counts.
+  // a point has two labels, that of the unit from whose outline it is less far away counts, then that of the smaller
+  // unit.
   void add(std::uint32_t unit, std::uint32_t first_plane, std::span<const LabelRun> runs);
 
   // Writes the column "roof" (RoofLabel) of every block: the labels that were added, and for the other points the

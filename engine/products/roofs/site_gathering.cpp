@@ -36,22 +36,35 @@ IndexBox column_of_site(const SiteWork& work, const PlannedSite& site) {
   return column_around(work, site, reach_of(work.params));
 }
 
-// The site's outline and the outlines within reach of it, seen from its anchor; `own` is the site's index among them.
-std::vector<SitePolygon> outlines_around(const SiteWork& work, std::size_t number, std::size_t& own) {
+// The site's outline, then the others within reach of it, seen from its anchor.
+std::vector<SitePolygon> outlines_around(const SiteWork& work, std::size_t number) {
   const PlacedOutline& outline = work.sites[number].outline;
   const auto reach_mm = static_cast<std::int64_t>(std::ceil(reach_of(work.params) / kGridMetres));
-  std::vector<SitePolygon> outlines;
-  for (const std::uint32_t n : work.map.near(outline.box.grown(reach_mm))) {
-    if (n == number) own = outlines.size();
-    outlines.push_back(seen_from(work.sites[n].outline, outline.x, outline.y));
-  }
+  std::vector<SitePolygon> outlines{outline.polygon};
+  for (const std::uint32_t n : work.map.near(outline.box.grown(reach_mm)))
+    if (n != number) outlines.push_back(seen_from(work.sites[n].outline, outline.x, outline.y));
   return outlines;
 }
 
-SiteFilter filter_of(const SiteWork& work, std::size_t number) {
-  std::size_t own = 0;
-  const std::vector<SitePolygon> outlines = outlines_around(work, number, own);
-  return {outlines, own, work.params};
+// Calls visit(position) for the ground points in the box, in global order. Roles come first: most clouds have no ground
+// where this is asked, and then no place of a point is read.
+template <class Visit>
+void for_each_ground_point(const Store& store, const IndexBox& box, const Visit& visit) {
+  std::vector<PointRole> roles;
+  for (const Slice& s : plan_view(store, box, {}).slices) {
+    const auto reader = store.open(s.block, columns::kRole);
+    const Tile tile = store.blocks()[s.block].node.tile;
+    for (std::uint32_t done = 0; done < s.count; done += kStretchPoints) {
+      roles.resize(std::min(kStretchPoints, s.count - done));
+      reader.read(s.first + done, roles);
+      if (std::find(roles.begin(), roles.end(), PointRole::ground) == roles.end()) continue;
+      const auto codes = store.read(s.block, columns::kCodes, s.first + done, roles.size());
+      for (std::size_t i = 0; i < roles.size(); ++i) {
+        if (roles[i] != PointRole::ground) continue;
+        if (const Index3 p = index_of({tile, codes[i]}); box.contains(p)) visit(p);
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -80,7 +93,7 @@ SiteReader::SiteReader(const SiteWork& work, std::size_t site)
       box_(column_of_site(work, planned_)),
       x_(planned_.outline.x, lattice_step(work)),
       y_(planned_.outline.y, lattice_step(work)),
-      filter_(filter_of(work, site)) {}
+      filter_(planned_.outline.polygon, work.params) {}
 
 // Collects the building's points. Their class is known only after the last point around them is read. So points of both
 // possible classes are collected as long as there are not too many.
@@ -90,7 +103,7 @@ UnitSample SiteReader::sample(GatheredSite& gathered) {
   for_each_around([&](const AroundPoint& p, Index3 position) {
     ++gathered.points_around;
     measure.add(p.at, p.role, p.membership);
-    if (p.membership != PointMembership::held) return;
+    if (!may_be_of_building(p.membership)) return;
     if (p.role == PointRole::building) building.add({p.place, position});
     if (p.role == PointRole::unclassified) unclassified.add({p.place, position});
   });
@@ -111,16 +124,12 @@ void SiteReader::find_nearby_ground() {
   const SitePointsParams& params = filter_.params();
   std::array<ValueCounts, kGroundRings.size()> rings;
   const IndexBox box = column_around(work_, planned_, kGroundRings.back());
-  for_each_stretch_in(work_.store, box, [&](const Stretch& s, std::span<const StretchPoint> inside) {
-    const auto roles = s.read(work_.store, columns::kRole);
-    for (const StretchPoint& p : inside) {
-      if (roles[p.number] != PointRole::ground) continue;
-      const Vec3 at = metres(p.position);
-      if (filter_.of(at, PointRole::ground) == PointMembership::held) continue;
-      const double distance = filter_.distance(at, kGroundRings.back());
-      for (std::size_t ring = 0; ring < kGroundRings.size(); ++ring)
-        if (distance <= kGroundRings[ring]) rings[ring].add(at.z);
-    }
+  for_each_ground_point(work_.store, box, [&](Index3 position) {
+    const Vec3 at = metres(position);
+    if (filter_.of(at, PointRole::ground) == PointMembership::held) return;
+    const double distance = filter_.distance(at, kGroundRings.back());
+    for (std::size_t ring = 0; ring < kGroundRings.size(); ++ring)
+      if (distance <= kGroundRings[ring]) rings[ring].add(at.z);
   });
   for (ValueCounts& ring : rings) {
     if (ring.count() < kFewestGroundPoints) continue;
@@ -152,8 +161,9 @@ GatheredSite SiteReader::gather() {
   gathered.places.reserve(chosen.points.size());
   for (const KeptPoint& k : chosen.points) {
     const Vec3 p = metres(k.position);
-    site.points.push_back({p.x, p.y, p.z - anchor_z_});
-    gathered.places.push_back(k.place);
+    const bool inside = filter_.away(p) == 0;
+    (inside ? site.points : site.beside).push_back({p.x, p.y, p.z - anchor_z_});
+    (inside ? gathered.places : gathered.beside).push_back(k.place);
   }
   return gathered;
 }
@@ -200,11 +210,8 @@ ShiftCounts shifts_around(const SiteWork& work, std::size_t number) {
   std::vector<Vec3> points;
   points.reserve(sample.points.size());
   for (const KeptPoint& k : sample.points) points.push_back(reader.metres(k.position));
-  std::size_t own = 0;
-  std::vector<SitePolygon> outlines = outlines_around(work, number, own);
-  std::swap(outlines[0], outlines[own]);
   ShiftCounts counts;
-  count_shifts(points, outlines, counts);
+  count_shifts(points, outlines_around(work, number), counts);
   return counts;
 }
 

@@ -34,11 +34,12 @@ struct SiteWork {
 };
 
 struct GatheredSite {
-  RoofSite site;                    // with all points of the building, or a sample
+  RoofSite site;                    // with all points of the building and beside it, or a sample
   std::vector<StorePlace> places;   // per point of the site
+  std::vector<StorePlace> beside;   // per point beside it
   bool by_class = true;             // see SiteRule
   bool thinned = false;             // the site has a sample
-  std::uint64_t points = 0;         // of the building
+  std::uint64_t points = 0;         // of the building and beside it
   std::uint64_t points_around = 0;  // points of any class over the outline and within reach of it
 };
 
@@ -77,6 +78,9 @@ class SiteReader {
   // Returns the points of all buildings around the site, thinned where there are too many.
   UnitSample buildings_around() const;
 
+  // See SiteFilter::away().
+  std::uint8_t away(Vec3 p) const { return filter_.away(p); }
+
   // The position of a point relative to the site's anchor; heights from 0 of the CRS.
   Vec3 metres(Index3 p) const { return {x_.metres(p.x), y_.metres(p.y), static_cast<double>(p.z) * x_.step}; }
 
@@ -90,13 +94,16 @@ class SiteReader {
     double metres(std::int64_t v) const { return static_cast<double>(v - from) * step + rest; }
   };
 
-  // Argument for sample_unit(): decides which points of a stretch belong to the building.
+  static bool may_be_of_building(PointMembership m) {
+    return m == PointMembership::held || m == PointMembership::beside;
+  }
+  // Argument for sample_unit(): decides which points of a stretch belong to the building or lie beside it.
   auto building_points() const {
     return [this](const Stretch& s) {
       return [this, roles = s.read(work_.store, columns::kRole)](const StretchPoint& p) {
         const Vec3 at = metres(p.position);
         const PointRole role = roles[p.number];
-        return rule_.takes(role, at.z) && filter_.of(at, role) == PointMembership::held;
+        return rule_.takes(role, at.z) && may_be_of_building(filter_.of(at, role));
       };
     };
   }

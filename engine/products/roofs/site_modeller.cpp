@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 
-#include "engine/products/roofs/footprint_plan.h"
 #include "engine/products/roofs/solids/point_labels.h"
 #include "engine/validity/validity.h"
 
@@ -77,7 +76,7 @@ SiteResult SiteModeller::model(std::size_t number, SiteSteps* steps) const {
   if (gathered.thinned)
     label_all(reader, gathered.site, model, measures, result);
   else
-    label_sample(gathered, model, measures, result);
+    label_sample(reader, gathered, model, measures, result);
   BuildingAttributes attributes = building_attributes(gathered.site, model, work_.metres_per_unit, measures);
   add_notes(number, gathered, attributes);
   result.status = model.status;
@@ -100,21 +99,25 @@ RoofModel SiteModeller::model_of(const GatheredSite& gathered, RoofSteps* steps)
   return model_roof(gathered.site, params_, work_.metres_per_unit, check, steps);
 }
 
-void SiteModeller::label_sample(const GatheredSite& gathered, const RoofModel& model, PointMeasures& measures,
-                                SiteResult& result) const {
+void SiteModeller::label_sample(const SiteReader& reader, const GatheredSite& gathered, const RoofModel& model,
+                                PointMeasures& measures, SiteResult& result) const {
   const PointLabeller labeller(gathered.site, model, work_.metres_per_unit);
-  const auto& places = gathered.places;
-  std::vector<SitePointLabel> labels;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Vec3 p = gathered.site.points[i];
-    const std::uint32_t face = i < model.face_of_point.size() ? model.face_of_point[i] : 0;
-    measures.add(p, face);
-    labels.push_back({places[i].point, face, labeller.label(p, face)});
-    const bool last = i + 1 == places.size() || places[i + 1].block != places[i].block;
-    if (!last && labels.size() < kStretchPoints) continue;
-    result.labels.push_back(labels_.store_labels(places[i].block, labels));
-    labels.clear();
-  }
+  const auto label = [&](std::span<const StorePlace> places, std::span<const Vec3> points, const auto& face_of) {
+    std::vector<SitePointLabel> labels;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const std::uint32_t face = face_of(i);
+      labels.push_back({places[i].point, face, labeller.label(points[i], face), reader.away(points[i])});
+      const bool last = i + 1 == places.size() || places[i + 1].block != places[i].block;
+      if (!last && labels.size() < kStretchPoints) continue;
+      result.labels.push_back(labels_.store_labels(places[i].block, labels));
+      labels.clear();
+    }
+  };
+  const std::size_t inside = gathered.site.points.size();
+  const auto& faces = model.face_of_point;
+  for (std::size_t i = 0; i < inside; ++i) measures.add(gathered.site.points[i], faces[i]);
+  label(gathered.places, gathered.site.points, [&](std::size_t i) { return faces[i]; });
+  label(gathered.beside, gathered.site.beside, [&](std::size_t i) { return faces[inside + i]; });
 }
 
 void SiteModeller::label_all(const SiteReader& reader, const RoofSite& site, const RoofModel& model,
@@ -125,8 +128,9 @@ void SiteModeller::label_all(const SiteReader& reader, const RoofSite& site, con
     const std::vector<std::uint32_t> faces = faces_at(model.map, at);
     labels.clear();
     for (std::size_t i = 0; i < points.size(); ++i) {
-      measures.add(at[i], faces[i]);
-      labels.push_back({points[i], faces[i], labeller.label(at[i], faces[i])});
+      const std::uint8_t away = reader.away(at[i]);
+      if (away == 0) measures.add(at[i], faces[i]);
+      labels.push_back({points[i], faces[i], labeller.label(at[i], faces[i]), away});
     }
     result.labels.push_back(labels_.store_labels(block, labels));
   });
@@ -136,10 +140,6 @@ void SiteModeller::add_notes(std::size_t number, const GatheredSite& gathered, B
   if (!gathered.by_class && !gathered.site.points.empty())
     attributes.emplace_back("points_of", std::string("unclassified"));
   if (!work_.sites[number].repair.empty()) attributes.emplace_back("outline", work_.sites[number].repair);
-  std::string others;
-  for (const std::uint32_t other : overlapping(work_.sites, work_.map, number))
-    others += (others.empty() ? "" : ", ") + work_.sites[other].id;
-  if (!others.empty()) attributes.emplace_back("overlaps", others);
   append(work_.sites[number].attributes, attributes);
 }
 

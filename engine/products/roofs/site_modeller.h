@@ -45,8 +45,8 @@ class SiteModeller {
 
  private:
   RoofModel model_of(const GatheredSite& gathered, RoofSteps* steps) const;
-  void label_sample(const GatheredSite& gathered, const RoofModel& model, PointMeasures& measures,
-                    SiteResult& result) const;
+  void label_sample(const SiteReader& reader, const GatheredSite& gathered, const RoofModel& model,
+                    PointMeasures& measures, SiteResult& result) const;
   void label_all(const SiteReader& reader, const RoofSite& site, const RoofModel& model, PointMeasures& measures,
                  SiteResult& result) const;
   void add_notes(std::size_t number, const GatheredSite& gathered, BuildingAttributes& attributes) const;

@@ -11,7 +11,9 @@ namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 24;
 constexpr std::size_t kCachedTiles = 4;  // in Morton order, points around a common corner alternate between four tiles
-constexpr std::uint64_t kBytesOfTiles = (kCachedTiles * 2 + 1) << 20;
+constexpr std::uint64_t kBytesOfTiles = (kCachedTiles * 3 + 1) << 20;
+// Derived: a roof of 60 degrees falls by so much over the diagonal of a pixel. Steeper ones are walls.
+constexpr double kFallOfRoof = 2.45;  // pixels
 constexpr std::uint32_t kFacade = 0xffffffffu, kRoof = kFacade - 1;
 
 class Verdict {
@@ -21,6 +23,7 @@ class Verdict {
         candidates_(candidates),
         least_(tiles.raster().scale.units(least_height)),
         clearance_(tiles.raster().scale.units(kClearance)),
+        fall_(tiles.raster().scale.units(kFallOfRoof * tiles.raster().scale.pixel)),
         side_(tiles.raster().grid.side),
         units_(tiles.raster().tile_units()),
         pixel_of_(tiles.raster().pixel) {}
@@ -36,7 +39,9 @@ class Verdict {
     const auto structure = static_cast<Structure>(tile.structure.values[tiles_.cells().cell_of(pixel, side_)]);
     if (is_overhead(structure) && above >= clearance_)
       return {0, structure == Structure::crown ? PointLabel::vegetation : PointLabel::facade};
-    if (candidate == kRoof) return {0, above >= clearance_ ? PointLabel::roof : PointLabel::facade};
+    // What is farther below the highest point of a pixel than a roof falls is the wall below it.
+    const bool on_top = above >= clearance_ && height_of(p.z) >= tile.range.values[pixel] - fall_;
+    if (candidate == kRoof) return {0, on_top ? PointLabel::roof : PointLabel::facade};
     if (candidate == kFacade) return {0, PointLabel::facade};
     const PointLabel label = candidates_.label[candidate];
     if (structure == Structure::overhang && label == PointLabel::none) return {0, PointLabel::facade};
@@ -47,6 +52,7 @@ class Verdict {
   struct CachedTile {
     std::int64_t x = 0, y = 0;          // lattice units; its first pixel
     Image level = {}, candidates = {};  // kFacade, kRoof in candidates: no candidate, outside of the mask
+    Image range = {};                   // highest z of pixels
     Image structure = {};               // of cells
     bool contains(Index3 p, std::int64_t units) const {
       return level.size() > 0 && p.x >= x && p.y >= y && p.x - x < units && p.y - y < units;
@@ -65,8 +71,11 @@ class Verdict {
 
   CachedTile loaded(std::size_t tile) const {
     const Index3 corner = tiles_.raster().corner(tile);
-    CachedTile out{corner.x, corner.y, layer_tile(tiles_.layers(), "level", tile),
+    CachedTile out{corner.x,
+                   corner.y,
+                   layer_tile(tiles_.layers(), "level", tile),
                    layer_tile(tiles_.layers(), "candidates", tile),
+                   layer_tile(tiles_.layers(), "range", tile),
                    layer_tile(tiles_.cells().layers, "structure", tile)};
     const Image mask = layer_tile(tiles_.layers(), "mask", tile);
     for (std::size_t i = 0; i < mask.size(); ++i)
@@ -80,7 +89,7 @@ class Verdict {
 
   const StreetTiles& tiles_;
   const ObjectLabels& candidates_;
-  Height least_, clearance_;
+  Height least_, clearance_, fall_;
   std::uint32_t side_;
   std::int64_t units_;  // side of a tile in lattice units
   LatticeCells pixel_of_;

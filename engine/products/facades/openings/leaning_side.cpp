@@ -43,7 +43,7 @@ bool is_open(const RaySamples& samples, const Ray& ray) {
 
 std::vector<Place> places_along(const RaySamples& samples, const FoundRectangle& opening, Side side) {
   const bool upright = side == Side::left || side == Side::right;
-  const double outwards = side == Side::right || side == Side::top ? 1 : -1;
+  const double sign = outwards(side);
   const Box2 box = opening.box();
   const double low = upright ? box.v0 : box.u0, length = upright ? box.height() : box.width();
   const double reach = kMostReach * (upright ? box.width() : box.height()), at = opening.at(side);
@@ -63,15 +63,15 @@ std::vector<Place> places_along(const RaySamples& samples, const FoundRectangle&
     if (!is_beside(ray) || !is_kept(ray, level)) continue;
     const Place p = place_of(ray);
     Stretch& stretch = stretches[static_cast<std::size_t>(p.s)];
-    if (is_open(samples, ray)) stretch.inside.push_back(outwards * p.t);
-    if (is_solid(samples, ray)) stretch.outside.push_back(outwards * p.t);
+    if (is_open(samples, ray)) stretch.inside.push_back(sign * p.t);
+    if (is_solid(samples, ray)) stretch.outside.push_back(sign * p.t);
   }
   std::vector<Place> places;
   for (std::size_t k = 0; k < kStretches; ++k) {
     const EdgeSplit split = split_edge(stretches[k].inside, stretches[k].outside);
     if (!split.found || (samples.oblique() && split.half_gap > kMostLeaningGap)) continue;
     const double t = samples.oblique() ? split.at : split.at + split.half_gap - samples.site().step / 2;
-    places.push_back({(static_cast<double>(k) + 0.5) * width + margin - length / 2, outwards * t});
+    places.push_back({(static_cast<double>(k) + 0.5) * width + margin - length / 2, sign * t});
   }
   return places;
 }

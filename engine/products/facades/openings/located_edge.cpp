@@ -39,13 +39,6 @@ constexpr double kFaceWidths = 4;  // times the noise: width of the interval tha
 constexpr double kBoundOfNoise = 2;              // times the noise of the wall
 constexpr std::uint64_t kMostSamples = 1 << 16;  // of a side; more do not improve the result; 70 bytes each
 
-bool along_u(Side side) {
-  return side == Side::left || side == Side::right;
-}
-double outwards(Side side) {
-  return side == Side::right || side == Side::top ? 1 : -1;
-}
-
 // The samples around one side; t is positive outwards.
 struct SideSamples {
   std::vector<double> inside, outside;
@@ -62,13 +55,16 @@ struct SideSamples {
 
 struct SideSpan {
   double t, s0, s1;
+  double in, out;  // metres on the inner and on the outer side of it that are searched
+  bool has(double at) const { return at - t <= out && t - at <= in; }
 };
 
-SideSpan span_of(const Box2& box, Side side) {
+SideSpan span_of(const SideSearch& q, Side side) {
+  const Box2& box = q.box;
   const double t = side == Side::left ? box.u0 : side == Side::right ? box.u1 : side == Side::top ? box.v1 : box.v0;
   double s0 = along_u(side) ? box.v0 : box.u0, s1 = along_u(side) ? box.v1 : box.u1;
   const double corner = std::min(kCornerMost, kCornerShare * (s1 - s0));
-  return {t * outwards(side), s0 + corner, s1 - corner};
+  return {t * outwards(side), s0 + corner, s1 - corner, q.reach, q.reach};
 }
 
 // Whether a side face at t can be seen from the eye. A face that looks outwards is seen from beyond it, any other face
@@ -127,8 +123,7 @@ struct SideHit {
   bool has_place() const { return face || corner || rim || solid || through || before; }
 };
 
-SideHit hit_of(const RaySamples& rays, const Ray& ray, const SideSearch& q, Side side, const SideSpan& span,
-               double reach) {
+SideHit hit_of(const RaySamples& rays, const Ray& ray, const SideSearch& q, Side side, const SideSpan& span) {
   const bool u = along_u(side);
   const double sign = outwards(side), w = ray.at.w;
   const double corner_from = q.depth + 2 * q.epsilon, corner_to = q.hole ? corner_from : q.depth + kCornerDeep;
@@ -139,15 +134,15 @@ SideHit hit_of(const RaySamples& rays, const Ray& ray, const SideSearch& q, Side
   hit.point_t = sign * static_cast<double>(u ? ray.at.u : ray.at.v);
   hit.point_s = u ? ray.at.v : ray.at.u;
   const bool at_face = w > q.face_from && w<q.face_to, at_corner = w> corner_from && w < corner_to;
-  if ((at_face || at_corner) && std::abs(hit.point_t - span.t) <= reach && hit.point_s >= span.s0 &&
-      hit.point_s <= span.s1 && turns_to(rays.eye_of(ray), side, hit.point_t, at_face && !q.hole)) {
+  if ((at_face || at_corner) && span.has(hit.point_t) && hit.point_s >= span.s0 && hit.point_s <= span.s1 &&
+      turns_to(rays.eye_of(ray), side, hit.point_t, at_face && !q.hole)) {
     hit.face = at_face;
     hit.corner = !at_face;
     if (at_face && !q.hole) hit.lean = lean_of(rays.eye_of(ray), side, hit.point_t, w);
   }
   if (hit.s < span.s0 || hit.s > span.s1) return hit;
   hit.t = q.hole ? hit.at_plane : innermost(rays, ray, q, side, span);
-  if (std::abs(hit.t - span.t) > reach) return hit;
+  if (!span.has(hit.t)) return hit;
   hit.rim = at_face && is_mixed_echo(rays, ray, q, side, hit.at_plane);
   const RayOutcome met = rays.met(ray, q.depth, q.epsilon);
   const bool foreign = ray.at.plane != 0 && !std::binary_search(q.planes.begin(), q.planes.end(), ray.at.plane);
@@ -170,14 +165,14 @@ void keep(const SideHit& hit, double w, bool hole, SideSamples& out) {
   (inside ? out.inside_along : out.outside_along).push_back(hit.s);
 }
 
-SideSamples samples_of(const RaySamples& rays, const SideSearch& q, Side side, const SideSpan& span, double reach) {
+SideSamples samples_of(const RaySamples& rays, const SideSearch& q, Side side, const SideSpan& span) {
   // Rays that cross the plane here cross the wall elsewhere. Their angle to the normal is less than about 45 degrees.
-  Rays near = rays.near(q.box.grown(reach + 1.5 * std::abs(q.depth)));
+  Rays near = rays.near(q.box.grown(std::max(span.in, span.out) + 1.5 * std::abs(q.depth)));
   SideSamples out;
-  out.level = thinning_level(near, kMostSamples,
-                             [&](const Ray& ray) { return hit_of(rays, ray, q, side, span, reach).has_place(); });
+  out.level =
+      thinning_level(near, kMostSamples, [&](const Ray& ray) { return hit_of(rays, ray, q, side, span).has_place(); });
   for (const Ray& ray : near) {
-    const SideHit hit = hit_of(rays, ray, q, side, span, reach);
+    const SideHit hit = hit_of(rays, ray, q, side, span);
     out.through += hit.through, out.hidden += hit.hidden, out.deep += hit.deep;
     if (hit.before && is_kept(ray, out.level)) out.before.push_back(hit.t);
     out.lean = std::max(out.lean, hit.lean);
@@ -255,7 +250,7 @@ struct SideView {
 };
 
 SideView view_of(const RaySamples& samples, const SideSearch& q, Side side) {
-  const SideSpan span = span_of(q.box, side);
+  const SideSpan span = span_of(q, side);
   const double t = outwards(side) * span.t, s = (span.s0 + span.s1) / 2;
   const Place2 steps = samples.step_at(along_u(side) ? Place2{t, s} : Place2{s, t});
   return {samples, q, side, span, along_u(side) ? steps : Place2{steps.v, steps.u}};
@@ -370,13 +365,16 @@ void set_split(SideSamples& around, const EdgeSplit& split, const SideView& view
 }  // namespace
 
 LocatedEdge locate_edge(const RaySamples& samples, const SideSearch& q, Side side) {
-  // Choice: where no point of the far side was found, the search grows once by this factor; an edge hidden over a wider
-  // strip stays unknown.
+  // Choice: where no point of the far side was found, the search grows once towards that side by this factor; an edge
+  // hidden over a wider strip stays unknown. Bars in an opening are farther in.
   constexpr double kWider = 2.4;
   const SideView view = view_of(samples, q, side);
-  SideSamples around = samples_of(samples, q, side, view.span, q.reach);
-  if ((q.hole ? around.outside : around.inside).empty())
-    around = samples_of(samples, q, side, view.span, kWider * q.reach);
+  SideSamples around = samples_of(samples, q, side, view.span);
+  if ((q.hole ? around.outside : around.inside).empty()) {
+    SideSpan wider = view.span;
+    (q.hole ? wider.out : wider.in) *= kWider;
+    around = samples_of(samples, q, side, wider);
+  }
   if (!q.hole && !view.oblique) drop_hidden(around, view.span, slots_of(view.span, view.steps.v));
   LocatedEdge edge;
   const EdgeSplit split = split_of(around, view);

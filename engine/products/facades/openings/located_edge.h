@@ -15,6 +15,16 @@ namespace ilot {
 enum class Side : std::uint8_t { bottom, right, top, left };
 inline constexpr std::array kSides{Side::bottom, Side::right, Side::top, Side::left};
 
+// Whether a side is known by its place along u.
+inline bool along_u(Side side) {
+  return side == Side::left || side == Side::right;
+}
+
+// The sign of the direction out of a rectangle at a side, along the axis of its place.
+inline double outwards(Side side) {
+  return side == Side::right || side == Side::top ? 1 : -1;
+}
+
 struct LocatedEdge {
   double at = 0;     // u of left and right, v of bottom and top
   double error = 0;  // the true place is within this distance of `at` [Lorraine thesis, 4.3]

@@ -22,6 +22,9 @@ constexpr double kStray = 0.04;  // share of the cells of the square in which th
 constexpr double kLeastEmpty = 0.4;  // share of the cells of a hole in which nothing was seen
 // Derived: a half circle fills 0.785 of its box, a pointed arch on short jambs 0.75.
 constexpr double kStraightFill = 0.75;  // share of its box that a hole with straight sides fills
+// Derived: straight sides that meet above jambs of three tenths of the height fill 0.65 of the box; rims take a
+// twelfth.
+constexpr double kArchFill = 0.6;  // the same for a hole that becomes narrower on both sides alike
 // Choice: two thirds of the rows; the crown of a tree has a third or less.
 constexpr double kStraight = 0.66;  // share of rows and columns that end at a straight side
 // Derived: with 12 rays expected, none arrives by chance once in 160,000 holes.
@@ -229,8 +232,10 @@ std::optional<ViewedHole> viewed_hole(const WallCells& cells, CellRegion region,
     ++filled;
   }
   h.hole.empty = 2 * empty > region.cells.size();
-  h.hole.straight = filled >= kStraightFill * static_cast<double>(h.inside.size()) &&
-                    straight_share(region, h.hole.box, cells.columns) >= kStraight;
+  const auto within = static_cast<double>(h.inside.size());
+  h.hole.straight =
+      (filled >= kStraightFill * within && straight_share(region, h.hole.box, cells.columns) >= kStraight) ||
+      (filled >= kArchFill * within && has_arched_top(region, h.hole.box, cells.columns));
   h.hole.region = std::move(region);
   return h;
 }

@@ -14,6 +14,11 @@ constexpr double kCellSteps = 2, kLeastCell = 0.02, kMostCell = 0.15;  // metres
 // Choice: an arch takes the corners of its box; a gable window ends too far in.
 constexpr double kTail = 0.15;  // share of its rows and columns that may end farther out
 
+// Choice: a cable or a leaf of a plant may hide a row in eight; behind a tree an arch is not known as one.
+constexpr double kArchRows = 0.87;  // share of the rows that are as those of an arch on jambs
+// Choice: the jambs of a wide door below a basket arch are half as high as the door; round windows have none.
+constexpr double kJambRows = 0.3;  // share of the rows that end at both jambs
+
 using enum WallCells::What;
 
 // The numbers of rays of a cell.
@@ -148,6 +153,24 @@ CellBox box_of(const CellRegion& region, std::int64_t columns) {
   RegionEnds ends = ends_of(region, columns);
   return {lower_quantile(ends.left, kTail), lower_quantile(ends.right, 1 - kTail), lower_quantile(ends.low, kTail),
           lower_quantile(ends.high, 1 - kTail)};
+}
+
+bool has_arched_top(const CellRegion& region, const CellBox& box, std::int64_t columns) {
+  const RegionEnds ends = ends_of(region, columns);
+  const std::int64_t first = *std::min_element(ends.low.begin(), ends.low.end());
+  std::int64_t jambs = 0, rows = 0, symmetric = 0, falling = 0, left = box.c0, right = box.c1;
+  for (std::size_t r = 0; r < ends.left.size(); ++r) {
+    const std::int64_t row = first + static_cast<std::int64_t>(r);
+    if (row < box.r0 || ends.right[r] < 0) continue;
+    ++rows;
+    symmetric += std::abs(ends.left[r] - box.c0 - (box.c1 - ends.right[r])) <= 2;
+    falling += ends.left[r] >= left - 1 && ends.right[r] <= right + 1;
+    jambs += ends.left[r] <= box.c0 + 1 && ends.right[r] >= box.c1 - 1;
+    left = std::max(left, ends.left[r]), right = std::min(right, ends.right[r]);
+  }
+  const auto all = static_cast<double>(rows);
+  return static_cast<double>(symmetric) >= kArchRows * all && static_cast<double>(falling) >= kArchRows * all &&
+         static_cast<double>(jambs) >= kJambRows * all;
 }
 
 double straight_share(const CellRegion& region, const CellBox& box, std::int64_t columns) {

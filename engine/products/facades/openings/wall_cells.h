@@ -99,6 +99,10 @@ CellBox box_of(const CellRegion& region, std::int64_t columns);
 // left, right and lower sides. 1 for a rectangle.
 double straight_share(const CellRegion& region, const CellBox& box, std::int64_t columns);
 
+// Whether a region has the form of an opening with an arch: jambs below, and above them rows that become narrower on
+// both sides alike, to one or two cells. A rectangle has this form too. O(cells).
+bool has_arched_top(const CellRegion& region, const CellBox& box, std::int64_t columns);
+
 // The intermediate images of the search for openings.
 struct OpeningSteps {
   WallCells seen, filled;  // as the rays show them; joined over cells in which nothing was seen

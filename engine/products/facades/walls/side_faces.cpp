@@ -39,10 +39,6 @@ struct FaceLine {
   std::size_t points = 0;
 };
 
-bool along_u(Side side) {
-  return side == Side::left || side == Side::right;
-}
-
 double& side_of(Box2& box, Side side) {
   return side == Side::left ? box.u0 : side == Side::right ? box.u1 : side == Side::bottom ? box.v0 : box.v1;
 }

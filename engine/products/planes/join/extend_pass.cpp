@@ -108,7 +108,8 @@ Patch load_patch(const Store& store, const Cell& cell, const CellSummary& summar
 
 // Numbers the planes of a patch by precedence.
 void number(Patch& patch, const JoinedPlanes& joined) {
-  patch.ids = patch.plane;
+  for (std::uint32_t last = 0; const std::uint32_t plane : patch.plane)
+    if (plane != last) patch.ids.push_back(last = plane);
   std::sort(patch.ids.begin(), patch.ids.end());
   patch.ids.erase(std::unique(patch.ids.begin(), patch.ids.end()), patch.ids.end());
   std::sort(patch.ids.begin(), patch.ids.end(), [&](std::uint32_t a, std::uint32_t b) {

@@ -25,7 +25,8 @@ struct RoofSite {
   Vec3 anchor;  // CRS units; origin of the coordinates below. It is on the CRS's own grid of whole millimetres, so that
                 // neighbours with a common wall share its vertices
   SitePolygon outline;       // valid: simple rings, holes inside, at least 2 mm from vertex to vertex
-  std::vector<Vec3> points;  // metres from the anchor: the building's points, in global order
+  std::vector<Vec3> points;  // metres from the anchor: the building's points in the outline, in global order
+  std::vector<Vec3> beside;  // the same for points outside of the outline, within the margin; any roof may be theirs
   double ground = 0;         // metres above the anchor: where the walls end
   GroundSource ground_source = GroundSource::measured;
 };

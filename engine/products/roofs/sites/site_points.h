@@ -22,60 +22,56 @@ struct Surroundings {
 };
 
 struct SitePointsParams {
-  double margin = 0.5;        // metres; points outside all outlines and this near to one belong to it
+  double margin = 0.5;        // metres; points outside the outline and this near to it may lie on its roof
   double ground_reach = 4;    // metres around the outline in which ground is searched
   double ground_share = 0.1;  // share of the ground points there that lie below the site's ground
   double clearance = 1;       // metres above measured ground; lower unclassified points do not belong to the building
 };
 
-// The distance in metres around an outline within which points and other outlines matter.
+// The distance in metres around an outline within which points matter.
 inline double reach_of(const SitePointsParams& params) {
-  return params.ground_reach > 2 * params.margin ? params.ground_reach : 2 * params.margin;
+  return params.ground_reach > params.margin ? params.ground_reach : params.margin;
 }
 
-// Where a point belongs, by its position alone.
+// Where a point lies, by its position alone.
 enum class PointMembership : std::uint8_t {
   none,
-  held,    // in the site's outline, or outside of all outlines, within the margin, and nearest to this one
-  ground,  // classified as ground, outside of all outlines and within ground_reach of the site's outline
+  held,    // in the site's outline
+  beside,  // outside of it, within the margin
+  ground,  // classified as ground, outside of the outline and within ground_reach of it
 };
 
-// Decides point by point. outlines[own] is the site's outline. The others are all outlines within reach_of(params) of
-// it, in the order of ids, seen from the same anchor. A point inside an outline belongs to it, and to both where two
-// outlines overlap; a point on a border counts for one side. A point outside of all outlines belongs to the nearest one
-// if it is within the margin (ties: the first).
+// Decides point by point. Only the site's own outline counts: other outlines of the run change nothing, so that a
+// choice of footprints gives the same buildings as all of them. A point on a border of two outlines is inside one of
+// them.
 class SiteFilter {
  public:
-  SiteFilter(std::span<const SitePolygon> outlines, std::size_t own, const SitePointsParams& params = {});
+  explicit SiteFilter(const SitePolygon& outline, const SitePointsParams& params = {});
 
-  // O(corners of the outlines near the point).
+  // O(corners of the outline if the point is near).
   PointMembership of(Vec3 p, PointRole role) const;
 
-  // Returns the distance to the site's own edges in plan, in metres; infinite when it is surely beyond reach.
+  // Returns the distance to the outline's edges in plan, in metres; infinite when it is surely beyond reach.
   double distance(Vec3 p, double reach) const;
 
-  // Returns true where a point is within the margin of the site's own edges.
+  // Returns true where a point is within the margin of the outline's edges.
   bool at_edge(Vec3 p) const;
+
+  // Returns 0 in the outline, else from 1 at its edges to 255 at the margin and beyond.
+  std::uint8_t away(Vec3 p) const;
 
   const SitePointsParams& params() const { return params_; }
 
  private:
-  // The edges are in metres. Each runs from its lower end to its upper one, so that neighbours see a common edge with
-  // the same bits.
-  struct EdgeSet {
-    std::vector<FlatEdge> edges;
-    FlatBox box = FlatBox::none();
+  bool near(Vec3 p, double reach) const;
+  bool contains(Vec3 p) const;
+  double distance2(Vec3 p, double reach) const;
 
-    explicit EdgeSet(const SitePolygon& polygon);
-    bool near(Vec3 p, double reach) const;
-    bool contains(Vec3 p) const;
-    double distance2(Vec3 p, double reach) const;
-  };
-  bool is_nearest(Vec3 p, double d2) const;
-
-  std::size_t own_;
+  // Metres. Each edge runs from its lower end to its upper one, so that neighbours see a common edge with the same
+  // bits.
+  std::vector<FlatEdge> edges_;
+  FlatBox box_ = FlatBox::none();
   SitePointsParams params_;
-  std::vector<EdgeSet> sets_;
 };
 
 // Decides which points of a site belong to the building, and gives the ground of the site.
@@ -90,10 +86,10 @@ struct SiteRule {
   }
 };
 
-// Finds the rule from all points around a site, each added once, in any order. Of the points that belong to the site's
-// outline, those with the class of buildings belong to the building. Without such points the unclassified ones are
-// taken; where ground was measured, only those that rise above it. The ground is a low quantile of the ground points
-// within reach and outside of all outlines. Without such points it is the lowest point within the margin of the
+// Finds the rule from all points around a site, each added once, in any order. Of the points in the outline and beside
+// it, those with the class of buildings may belong to the building. Where the outline contains none, the unclassified
+// ones are taken; where ground was measured, only those that rise above it. The ground is a low quantile of the ground
+// points outside of the outline and within reach. Without such points it is the lowest point within the margin of the
 // outline's edges, and without these the lowest point. Memory is bounded (value_counts.h).
 class SiteMeasure {
  public:
@@ -109,12 +105,11 @@ class SiteMeasure {
 };
 
 struct SitePoints {
-  std::vector<std::uint32_t> building;  // indices of the surroundings, ascending
+  std::vector<std::uint32_t> building, beside;  // in the outline and beside it: indices of the surroundings, ascending
   SiteRule rule;
 };
 
 // The same for points in memory.
-SitePoints choose_points(const Surroundings& around, std::span<const SitePolygon> outlines, std::size_t own,
-                         const SitePointsParams& params = {});
+SitePoints choose_points(const Surroundings& around, const SitePolygon& outline, const SitePointsParams& params = {});
 
 }  // namespace ilot

@@ -16,6 +16,7 @@
 #include "engine/products/roofs/faces/roof_faces.h"
 #include "engine/products/roofs/faces/roof_lines.h"
 #include "engine/products/roofs/faces/roof_planes.h"
+#include "engine/products/roofs/faces/supported_roof.h"
 #include "engine/products/roofs/sites/outline_repair.h"
 #include "engine/products/roofs/solids/roof_solid.h"
 #include "kernels/core/quantile.h"
@@ -221,7 +222,7 @@ std::vector<std::uint32_t> faces_at(const RoofFaceMap& map, std::span<const Vec3
 RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double metres_per_unit,
                      const SolidCheck& check, RoofSteps* steps) {
   RoofModel model;
-  model.face_of_point.assign(site.points.size(), 0);
+  model.face_of_point.assign(site.points.size() + site.beside.size(), 0);
   if (site.outline.empty() || area_of(site.outline) < kLeastOutline) {
     model.reason = "the outline has no area";
     return model;
@@ -231,14 +232,15 @@ RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double
     return model;
   }
   if (model.reason = too_sparse(site); !model.reason.empty()) return model;
-  const RoofPlanes planes = find_roof_planes(site, params);
-  if (steps != nullptr) steps->planes = planes;
-  if (!add_block(site, planes, params, metres_per_unit, check, model)) return model;
-  if (planes.planes.empty()) {
+  const SupportedRoof roof = supported_roof(site, params);
+  if (steps != nullptr) steps->planes = roof.planes;
+  if (!add_block(roof.site, roof.planes, params, metres_per_unit, check, model)) return model;
+  if (roof.planes.planes.empty()) {
     model.reason = "no plane has enough points";
     return model;
   }
-  add_house(site, planes, params, metres_per_unit, check, model, steps);
+  add_house(roof.site, roof.planes, params, metres_per_unit, check, model, steps);
+  if (model.status == RoofStatus::lod22) model.face_of_point = of_given_points(site, roof, model.face_of_point);
   return model;
 }
 

@@ -34,8 +34,9 @@ struct RoofModel {
   RoofStatus status = RoofStatus::footprint_only;
   std::string reason;     // why the model is not lod22; empty when it is
   Building lod22, lod12;  // without surfaces where there is no such solid; coordinates are in the CRS
-  std::vector<std::uint32_t> face_of_point;  // per point of the site: 0 = none, else its face, a plane_id of lod22
-  RoofFaceMap map;                           // of lod22
+  // Per point of the site, then per point beside it: 0 = none, else its face, a plane_id of lod22.
+  std::vector<std::uint32_t> face_of_point;
+  RoofFaceMap map;  // of lod22
 };
 
 // The intermediate results of the steps, for anyone who looks for the step that went wrong.

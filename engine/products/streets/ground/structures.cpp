@@ -23,6 +23,12 @@ constexpr std::uint32_t kLoneCells = 2;  // upright cells in a square of three; 
 // Choice: a balcony of 1.2 m before a wall covers less than half of the cells; a crown that touches a wall covers more.
 constexpr double kCrownShare = 0.57;  // of the cells around one before a wall
 
+// Derived: a line aslant to the cells crosses five of nine, and the eaves before it cover two more.
+constexpr std::uint32_t kSolidCells = 8;  // of nine; so many of volumes are no edge of a building
+// Derived: of the nine cells around one beside the edge of a roof, three are of the edge.
+constexpr std::uint32_t kRoofCells =
+    6;  // of nine; so many on planes are a roof and no branches that are flat by chance
+
 // The number of cells of each form around each cell, over a box of 2 reach + 1, by sums over rows and then columns.
 using Votes = std::array<std::vector<std::uint16_t>, 5>;
 
@@ -98,6 +104,33 @@ bool touches(const Image& shape, const Image& top, std::size_t i, StandingForm f
   return false;
 }
 
+// Seen from the air, the edge of a building has points of its roof, its eaves and its wall, which are on no plane
+// together. Such cells form a band along the roof, while a crown fills squares of three cells. Cells of volumes that
+// are in no such square and that have a roof beside them become cells of the roof. Cells nearer than three to the end
+// of the image are not decided.
+void give_edges_to_roofs(Image& shape, const Image& top, Height least) {
+  const auto volume = static_cast<std::size_t>(StandingForm::volume),
+             pole = static_cast<std::size_t>(StandingForm::pole),
+             inclined = static_cast<std::size_t>(StandingForm::inclined);
+  const Votes near = votes_of(shape, top, 1, least);
+  const std::size_t w = shape.width, h = shape.height;
+  const auto any_within = [&](std::size_t i, std::size_t reach, const auto& is) {
+    for (std::size_t y = i / w - reach; y <= i / w + reach; ++y)
+      for (std::size_t x = i % w - reach; x <= i % w + reach; ++x)
+        if (is(y * w + x)) return true;
+    return false;
+  };
+  const auto is_solid = [&](std::size_t i) { return near[volume][i] + near[pole][i] >= kSolidCells; };
+  const auto is_roof = [&](std::size_t i) { return near[inclined][i] >= kRoofCells; };
+  for (std::size_t y = 2; y + 2 < h; ++y)
+    for (std::size_t x = 2; x + 2 < w; ++x) {
+      const std::size_t i = y * w + x;
+      const auto form = static_cast<std::size_t>(shape.values[i]);
+      if ((form == volume || form == pole) && any_within(i, 2, is_roof) && !any_within(i, 1, is_solid))
+        shape.values[i] = static_cast<Height>(inclined);
+    }
+}
+
 bool is_of_building(Structure s) {
   return s == Structure::wall || s == Structure::roof || s == Structure::overhang;
 }
@@ -143,25 +176,27 @@ class StructureFinder {
                         crowns = votes[static_cast<std::size_t>(StandingForm::volume)][i] +
                                  votes[static_cast<std::size_t>(StandingForm::pole)][i];
     const std::uint32_t area = (2 * reach_ + 1) * (2 * reach_ + 1);
-    if (walls >= kLeastWalls) {
-      const bool is_post = shape.values[i] == static_cast<Height>(StandingForm::pole) && view_ == StreetView::street;
-      const bool fixed = !is_post && touches(shape, top, i, StandingForm::upright, wall_);
-      if (fixed && (view_ == StreetView::air || top.values[i] < least_ ||
-                    shape.values[i] == static_cast<Height>(StandingForm::upright)))
+    const bool fixed = touches(shape, top, i, StandingForm::upright, wall_);
+    if (walls >= kLeastWalls && view_ == StreetView::street) {
+      const bool is_post = shape.values[i] == static_cast<Height>(StandingForm::pole);
+      if (fixed && !is_post &&
+          (top.values[i] < least_ || shape.values[i] == static_cast<Height>(StandingForm::upright)))
         return Structure::wall;
-      if (fixed) return Structure::overhang;
+      if (fixed && !is_post) return Structure::overhang;
       if (top.values[i] < least_) return Structure::none;
       // What is high before a wall is a part of it, as a balcony is, unless it is a post or a crown fills most of the
       // box. What stands below is not.
       if (crowns > kCrownShare * area) return Structure::crown;
-      if (shape.values[i] == static_cast<Height>(StandingForm::pole)) return Structure::none;
-      return view_ == StreetView::street ? Structure::overhang : Structure::wall;
+      return is_post ? Structure::none : Structure::overhang;
     }
-    if (top.values[i] < least_) return Structure::none;
+    // Seen from the air, only what is upright is a wall: a roof and a crown reach over it.
+    if (walls >= kLeastWalls && shape.values[i] == static_cast<Height>(StandingForm::upright)) return Structure::wall;
+    if (top.values[i] < least_) return walls >= kLeastWalls && fixed ? Structure::wall : Structure::none;
     // The cells along the edges of a roof are of no plane.
     const std::uint32_t more = view_ == StreetView::air ? (walls + roofs) / 2 : 0;
     if (walls + roofs + more > crowns && walls + roofs >= 2 * reach_ && roofs > 0) return Structure::roof;
     if (crowns >= 4 && crowns > walls + roofs) return Structure::crown;
+    if (walls >= kLeastWalls && fixed) return Structure::wall;
     return Structure::none;
   }
 
@@ -184,6 +219,7 @@ class StructureFinder {
         if (shape.values[i] == static_cast<Height>(StandingForm::upright) && !is_wall(i))
           shape.values[i] = static_cast<Height>(StandingForm::pole);
     }
+    if (view_ == StreetView::air) give_edges_to_roofs(shape, top, least_);
     const Votes votes = votes_of(shape, top, reach_, wall_);
     Image out = without_halo(shape, halo);
     for (std::uint32_t y = 0; y < out.height; ++y)

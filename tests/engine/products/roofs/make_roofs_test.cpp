@@ -45,9 +45,10 @@ struct Village {
     footprints = folder.put("village.geojson", text());
   }
 
-  static std::string box(const std::string& id, int x0, int y0, int x1, int y1) {
+  static std::string box(const std::string& id, double x0, double y0, double x1, double y1) {
     std::ostringstream out;
-    const auto p = [&](int x, int y) { out << "[" << 84000 + x << "," << 447000 + y << "]"; };
+    out.precision(12);
+    const auto p = [&](double x, double y) { out << "[" << 84000 + x << "," << 447000 + y << "]"; };
     out << R"({"type":"Feature","properties":{"id":")" << id << R"("},"geometry":{"type":"Polygon","coordinates":[[)";
     p(x0, y0), out << ",", p(x1, y0), out << ",", p(x1, y1), out << ",", p(x0, y1), out << ",", p(x0, y0);
     out << "]]}}";
@@ -55,9 +56,15 @@ struct Village {
   }
 
   static std::string text() {
+    return collection({box("10", 40, 10, 52, 20), box("2", 20, 10, 30, 20), box("1", 10, 10, 20, 20),
+                       box("far", 500, 500, 510, 510), box("line", 12, 12, 12, 18)});
+  }
+
+  static std::string collection(const std::vector<std::string>& boxes) {
+    std::string all;
+    for (const std::string& b : boxes) all += (all.empty() ? "" : ",") + b;
     return R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::28992"}},"features":[)" +
-           box("10", 40, 10, 52, 20) + "," + box("2", 20, 10, 30, 20) + "," + box("1", 10, 10, 20, 20) + "," +
-           box("far", 500, 500, 510, 510) + "," + box("line", 12, 12, 12, 18) + "]}";
+           all + "]}";
   }
 };
 
@@ -162,6 +169,46 @@ TEST(RoofsProduct, ABuildingAloneIsThatOfTheWhole) {
   EXPECT_EQ(alone, of_whole);
   EXPECT_EQ(part.buildings.at("2")["CityObjects"]["2"]["geometry"].back()["boundaries"],
             whole["CityObjects"]["2"]["geometry"].back()["boundaries"]);
+}
+
+// The text of a building without the numbers that count buildings and planes of the run.
+std::string without_numbers(json feature) {
+  for (auto& [id, object] : feature["CityObjects"].items()) {
+    object["attributes"].erase("unit_id");
+    for (json& geometry : object["geometry"]) {
+      if (!geometry.contains("semantics")) continue;
+      for (json& surface : geometry["semantics"]["surfaces"]) surface.erase("plane_id");
+    }
+  }
+  return feature.dump();
+}
+
+// Neighbours that touch, outlines drawn beside the walls, a sliver between two of them, one twice, one over two others.
+TEST(RoofsProduct, AChoiceOfFootprintsGivesTheBuildingsOfAllOfThem) {
+  const Village village;
+  const std::vector<std::string> all{
+      Village::box("low", 10, 10, 19.7, 20),      Village::box("sliver", 19.7, 10, 20.2, 20),
+      Village::box("high", 20.2, 10, 30, 20),     Village::box("twin", 20.2, 10, 30, 20),
+      Village::box("both", 12, 12, 28, 18),       Village::box("hall", 40, 10, 46, 20),
+      Village::box("beside", 46.3, 10, 52.4, 20), Village::box("yard", 30.3, 10, 39.8, 20)};
+  const auto run_with = [&](const std::string& name, const std::vector<std::string>& boxes) {
+    const auto path = village.folder.put(name + ".geojson", Village::collection(boxes));
+    return run_village(village, name, [&](RunOptions& o) { o.footprints = path; });
+  };
+  const RoofsOutcome whole = run_with("whole", all);
+  ASSERT_EQ(whole.buildings.size(), all.size());
+  EXPECT_EQ(whole.record["footprints"]["overlapping"], 5);
+  Rng rng(26);
+  for (int n = 0; n < 10; ++n) {
+    std::vector<std::string> some;
+    for (const std::string& b : all)
+      if (rng.below(2) == 0) some.push_back(b);
+    if (some.empty()) some.push_back(all[rng.below(all.size())]);
+    const RoofsOutcome part = run_with("part" + std::to_string(n), some);
+    EXPECT_EQ(part.buildings.size(), some.size());
+    for (const auto& [id, feature] : part.buildings)
+      EXPECT_EQ(without_numbers(feature), without_numbers(whole.buildings.at(id))) << "choice " << n << ", " << id;
+  }
 }
 
 TEST(RoofsProduct, PointsKnowTheirBuildingFaceAndLabel) {

@@ -50,5 +50,23 @@ TEST(RoofLabels, EveryPointHasTheLabelOfItsFirstUnit) {
   }
 }
 
+TEST(RoofLabels, TheUnitWithTheNearestOutlineHasThePoint) {
+  const test::CloudStore cloud(test::points_over_tiles(500, 3), {512, 1u << 20, 1});
+  const Store& store = cloud.store();
+  RoofLabels labels(store);
+  const auto add = [&](std::uint32_t unit, std::vector<SitePointLabel> given) {
+    labels.add(unit, unit, std::vector<LabelRun>{labels.store_labels(0, given)});
+  };
+  add(1, {{0, 0, PointLabel::roof, 9}, {1, 0, PointLabel::roof, 0}, {2, 0, PointLabel::roof, 5}});
+  add(2, {{0, 0, PointLabel::wall, 0}, {1, 0, PointLabel::wall, 0}, {2, 0, PointLabel::wall, 5}});
+  labels.write_columns(
+      {}, [&](std::uint32_t block) { return std::vector<PointLabel>(store.blocks()[block].points, PointLabel::none); });
+  const auto column = store.read(0, columns::kRoof);
+  EXPECT_EQ(column[0].unit, 2u) << "in its outline";
+  EXPECT_EQ(column[0].label, PointLabel::wall);
+  EXPECT_EQ(column[1].unit, 1u) << "in both outlines: the first";
+  EXPECT_EQ(column[2].unit, 1u) << "as near to both";
+}
+
 }  // namespace
 }  // namespace ilot

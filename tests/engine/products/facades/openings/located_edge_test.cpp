@@ -53,6 +53,20 @@ TEST(LocatedEdge, AnEndThatNobodySawLiesInItsGap) {
     }
 }
 
+// Nothing of the wall is near the place where the side is expected, but a bar is in the opening. The search that grows
+// looks for the wall alone: where that is too far off the side stays unknown, and is not the bar.
+TEST(LocatedEdge, ABarFartherInIsNotTheWall) {
+  ScannedWall wall;
+  wall.wall({{2, 0, 2, 3.1, 1, 2.6, 0}});
+  wall.sheets.push_back({2, 0, 2.78, 2.84, 1, 2.6, 1});
+  const FacadeSite site = test::scan_wall(wall, {5, 1.5, 8}, 0.002);
+  const RaySamples samples(site);
+  const SideSearch search{{2, 2.94, 1, 2.6}, 0, site.epsilon, true, -0.28, -0.015, 0.06, {}};
+  const LocatedEdge jamb = locate_edge(samples, search, Side::right);
+  EXPECT_NE(jamb.status, DrawnStatus::seen);
+  EXPECT_GT(jamb.at, 2.9);
+}
+
 // Nobody knows where points were seen from: what lies right behind a thing, its own soffit and walls farther in, was
 // seen another way than square to it.
 TEST(LocatedEdge, PointsBehindAnElementGiveNoEdge) {

@@ -3,6 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
+
 #include "engine/products/facades/openings/openings.h"
 #include "tests/support/facade_sites.h"
 
@@ -87,6 +93,45 @@ TEST(SilentHoles, WhatStandsInTheStreetStopsRaysToo) {
     take(points, {});
   };
   EXPECT_EQ(find_openings(RaySamples(empty, source, {}, ground)).size(), 1u);
+}
+
+// A wall of which the rays that cross it in `silent` gave no echo, except for one in fifty that ended on a reveal.
+FacadeSite wall_silent_where(Vec3 eye, const std::function<bool(double, double)>& silent) {
+  test::ScannedWall wall;
+  wall.wall({});
+  FacadeSite site = test::scan_wall(wall, eye, 0.0025);
+  std::vector<FacadePoint> kept;
+  std::size_t crossed = 0;
+  for (const FacadePoint& p : site.points) {
+    if (!silent(p.u, p.v)) {
+      kept.push_back(p);
+    } else if (++crossed % 50 == 0) {
+      const double on = (eye.z + 0.12) / eye.z;
+      kept.push_back(
+          {static_cast<float>(eye.x + (p.u - eye.x) * on), static_cast<float>(eye.y + (p.v - eye.y) * on), -0.12F, 0});
+    }
+  }
+  site.points = std::move(kept);
+  return site;
+}
+
+// Two straight sides that meet at a point fill less of their box than a half circle.
+TEST(SilentHoles, APointedArchWithoutAnEchoIsAnOpening) {
+  const FacadeSite site = wall_silent_where({1, 1.5, 8}, [](double u, double v) {
+    return v > 1 && v < 2.8 && std::abs(u - 3) < 0.6 * std::min(1.0, (2.8 - v) / 1.1);
+  });
+  const std::vector<FoundRectangle> found = find_openings(RaySamples(site));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(found[0].no_echo);
+  EXPECT_NEAR(found[0].at(Side::bottom), 1, 0.05);
+}
+
+// What becomes narrower on one side alone is the shadow of something, and no arch.
+TEST(SilentHoles, ASlantingHoleIsNoArch) {
+  const FacadeSite site = wall_silent_where({1, 1.5, 8}, [](double u, double v) {
+    return v > 1 && v < 2.8 && u > 2.4 && u < 2.4 + 1.2 * std::min(1.0, (2.8 - v) / 1.1);
+  });
+  EXPECT_TRUE(find_openings(RaySamples(site)).empty());
 }
 
 TEST(SilentHoles, TheRingOfCellsFollowsTheirBorder) {

@@ -22,24 +22,36 @@ void add(Surroundings& around, Vec3 p, PointRole role) {
   around.roles.push_back(role);
 }
 
-TEST(SitePoints, APointBelongsToTheOutlineThatContainsItElseToTheNearest) {
-  const std::vector<SitePolygon> outlines{site_square(0, 0, 10000), site_square(10000, 0, 10000),
-                                          site_square(20600, 0, 5000)};
-  const auto around = with_role({{5, 5, 3},        // in the first
-                                 {9.9, 5, 3},      // in the first, near the party wall
-                                 {10.1, 5, 3},     // in the second
-                                 {-0.4, 5, 3},     // outside, within the margin of the first
+TEST(SitePoints, APointIsInTheOutlineOrBesideItOrNeither) {
+  const auto around = with_role({{5, 5, 3},        // in it
+                                 {9.9, 5, 3},      // near its edge
+                                 {10.1, 5, 3},     // outside, within the margin
+                                 {-0.4, 5, 3},     // the same
                                  {-0.6, 5, 3},     // beyond it
-                                 {20.2, 2, 3},     // nearer to the second than to the third
-                                 {20.3, 2, 3},     // as near to both: the first of them
-                                 {20.4, 2, 3},     // nearer to the third
-                                 {9.98, 10.3, 3},  // outside, nearest to the corner that two share: the first
-                                 {10.3, 10.2, 3}},
+                                 {10.3, 10.3, 3},  // within the margin of the corner
+                                 {10.4, 10.4, 3}},
                                 PointRole::building);
-  const auto taken = [&](std::size_t own) { return choose_points(around, outlines, own).building; };
-  EXPECT_EQ(taken(0), (std::vector<std::uint32_t>{0, 1, 3, 8}));
-  EXPECT_EQ(taken(1), (std::vector<std::uint32_t>{2, 5, 6, 9}));
-  EXPECT_EQ(taken(2), (std::vector<std::uint32_t>{7}));
+  const SitePoints site = choose_points(around, site_square(0, 0, 10000));
+  EXPECT_EQ(site.building, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(site.beside, (std::vector<std::uint32_t>{2, 3, 5}));
+}
+
+TEST(SitePoints, PointsBesideTheOutlineDoNotDecideTheClass) {
+  Surroundings around;
+  add(around, {5, 5, 6}, PointRole::unclassified);
+  add(around, {10.2, 5, 6}, PointRole::building);  // the neighbour's
+  const SitePoints site = choose_points(around, site_square(0, 0, 10000));
+  EXPECT_FALSE(site.rule.by_class);
+  EXPECT_EQ(site.building, (std::vector<std::uint32_t>{0}));
+  EXPECT_TRUE(site.beside.empty());
+}
+
+TEST(SitePoints, AwayRisesFromTheEdgesToTheMargin) {
+  const SiteFilter filter(site_square(0, 0, 10000));
+  EXPECT_EQ(filter.away({5, 5, 3}), 0);
+  EXPECT_EQ(filter.away({10.001, 5, 3}), 1);
+  EXPECT_LT(filter.away({10.1, 5, 3}), filter.away({10.3, 5, 3}));
+  EXPECT_EQ(filter.away({10.6, 5, 3}), 255);
 }
 
 TEST(SitePoints, PointsOnCommonEdgesHaveOneOwner) {
@@ -50,70 +62,62 @@ TEST(SitePoints, PointsOnCommonEdgesHaveOneOwner) {
   const auto around = with_role(points, PointRole::building);
   std::vector<int> owners(points.size());
   for (std::size_t own = 0; own < 4; ++own)
-    for (const std::uint32_t i : choose_points(around, outlines, own).building) ++owners[i];
+    for (const std::uint32_t i : choose_points(around, outlines[own]).building) ++owners[i];
   EXPECT_EQ(owners, std::vector<int>(points.size(), 1));
 }
 
-TEST(SitePoints, WhereOutlinesOverlapBothHaveThePoint) {
-  const std::vector<SitePolygon> outlines{site_square(0, 0, 4000), site_square(2000, 0, 4000)};
-  const auto around = with_role({{3, 2, 1}}, PointRole::building);
-  EXPECT_EQ(choose_points(around, outlines, 0).building.size(), 1u);
-  EXPECT_EQ(choose_points(around, outlines, 1).building.size(), 1u);
-}
-
 TEST(SitePoints, ACourtyardIsOutside) {
-  const std::vector<SitePolygon> outlines{
-      {site_square(0, 0, 20000)[0], {{5000, 5000}, {5000, 15000}, {15000, 15000}, {15000, 5000}}}};
+  const SitePolygon outline{site_square(0, 0, 20000)[0], {{5000, 5000}, {5000, 15000}, {15000, 15000}, {15000, 5000}}};
   Surroundings around;
   add(around, {2, 2, 8}, PointRole::building);
   add(around, {10, 10, 8}, PointRole::building);
   add(around, {6, 6, 1}, PointRole::ground);
   add(around, {10, 10, -5}, PointRole::ground);  // farther than the reach
-  const SitePoints site = choose_points(around, outlines, 0);
+  const SitePoints site = choose_points(around, outline);
   EXPECT_EQ(site.building, (std::vector<std::uint32_t>{0}));
   EXPECT_EQ(site.rule.ground_source, GroundSource::measured);
   EXPECT_EQ(site.rule.ground, 1);
 }
 
 TEST(SitePoints, GroundIsALowQuantileOfThePointsAroundTheOutline) {
-  const std::vector<SitePolygon> outlines{site_square(0, 0, 10000), site_square(11000, 0, 10000)};
+  const SitePolygon outline = site_square(0, 0, 10000);
   Surroundings around;
   add(around, {5, 5, 9}, PointRole::building);
   for (int i = 0; i <= 100; ++i) add(around, {-1.0, 0.1 * i, 2 + 0.01 * i}, PointRole::ground);
-  add(around, {15, 5, -50}, PointRole::ground);    // under the neighbour
+  add(around, {15, 5, -50}, PointRole::ground);    // too far
   add(around, {-4.5, 5, -50}, PointRole::ground);  // too far
   add(around, {-1, 5, -50}, PointRole::other);
-  const SitePoints site = choose_points(around, outlines, 0);
+  const SitePoints site = choose_points(around, outline);
   EXPECT_EQ(site.rule.ground_source, GroundSource::measured);
   EXPECT_NEAR(site.rule.ground, 2.1, 1e-9);
 }
 
 TEST(SitePoints, WithoutGroundTheLowestPointNearTheEdgesCounts) {
-  const std::vector<SitePolygon> outlines{site_square(0, 0, 10000)};
+  const SitePolygon outline = site_square(0, 0, 10000);
   auto around = with_role({{5, 5, -3}, {0.2, 5, 4}, {9.9, 9, 2.5}, {5, 2, 9}}, PointRole::building);
-  SitePoints site = choose_points(around, outlines, 0);
+  SitePoints site = choose_points(around, outline);
   EXPECT_EQ(site.rule.ground_source, GroundSource::lowest_point);
   EXPECT_EQ(site.rule.ground, 2.5);
   around = with_role({{5, 5, -3}, {5, 2, 9}}, PointRole::building);
-  site = choose_points(around, outlines, 0);
+  site = choose_points(around, outline);
   EXPECT_EQ(site.rule.ground, -3) << "none near the edges: the lowest";
-  EXPECT_EQ(choose_points({}, outlines, 0).rule.ground, 0);
+  EXPECT_EQ(choose_points({}, outline).rule.ground, 0);
 }
 
 TEST(SitePoints, WithoutTheClassUnclassifiedPointsThatRiseFromTheGroundAreTaken) {
-  const std::vector<SitePolygon> outlines{site_square(0, 0, 10000)};
+  const SitePolygon outline = site_square(0, 0, 10000);
   Surroundings around;
   add(around, {5, 5, 6}, PointRole::unclassified);
   add(around, {6, 5, 0.5}, PointRole::unclassified);
   add(around, {7, 5, 7}, PointRole::other);
-  SitePoints site = choose_points(around, outlines, 0);
+  SitePoints site = choose_points(around, outline);
   EXPECT_FALSE(site.rule.by_class);
   EXPECT_EQ(site.building, (std::vector<std::uint32_t>{0, 1})) << "nobody knows the ground";
   add(around, {-1, 5, 0}, PointRole::ground);
-  site = choose_points(around, outlines, 0);
+  site = choose_points(around, outline);
   EXPECT_EQ(site.building, (std::vector<std::uint32_t>{0}));
   add(around, {3, 3, 5}, PointRole::building);
-  site = choose_points(around, outlines, 0);
+  site = choose_points(around, outline);
   EXPECT_TRUE(site.rule.by_class);
   EXPECT_EQ(site.building, (std::vector<std::uint32_t>{4}));
 }

@@ -67,7 +67,8 @@ TEST(Structures, BelowABalconyAndAroundAPostIsTheStreet) {
   EXPECT_EQ(at(found, 30, 13), Structure::none);
   EXPECT_EQ(at(found, 15, 11), Structure::wall);
   EXPECT_EQ(at(found, 42, 14), Structure::none);
-  EXPECT_EQ(at(from_above, 42, 11), Structure::wall) << "no wall was seen as such: what is near it stays with it";
+  EXPECT_EQ(at(from_above, 42, 10), Structure::wall);
+  EXPECT_EQ(at(from_above, 42, 11), Structure::roof) << "from above it is a roof of the building";
 }
 
 TEST(Structures, AShedIsNoHouseFromTheAir) {
@@ -79,7 +80,35 @@ TEST(Structures, AShedIsNoHouseFromTheAir) {
   EXPECT_EQ(at(found, 52, 22), Structure::roof);
 }
 
+// A roof with an edge of two cells of no plane all around, a crown that reaches to it, and a crown that stands alone.
+CellScene roof_and_crowns() {
+  CellScene scene;
+  scene.add({12, 12, 26, 26}, StandingForm::inclined, 8000);
+  scene.add({10, 10, 30, 2}, StandingForm::volume, 8000);
+  scene.add({10, 38, 30, 2}, StandingForm::volume, 8000);
+  scene.add({10, 12, 2, 26}, StandingForm::volume, 8000);
+  scene.add({38, 12, 2, 26}, StandingForm::volume, 8000);
+  scene.add({40, 18, 12, 12}, StandingForm::volume, 7000);
+  scene.add({70, 20, 8, 8}, StandingForm::volume, 7000);
+  return scene;
+}
+
+TEST(Structures, TheEdgeOfARoofFromTheAirIsNoCrown) {
+  const Image found = roof_and_crowns().structure(60, StreetView::air);
+  for (std::size_t along = 13; along < 37; ++along) {  // corners of an edge of two cells are as wide as a crown
+    for (const std::size_t across : {10u, 11u, 38u, 39u}) EXPECT_EQ(at(found, along, across), Structure::roof) << along;
+    for (const std::size_t across : {10u, 11u}) EXPECT_EQ(at(found, across, along), Structure::roof) << along;
+  }
+  EXPECT_EQ(at(found, 46, 24), Structure::crown);
+  EXPECT_EQ(at(found, 73, 23), Structure::crown);
+  EXPECT_EQ(at(found, 25, 25), Structure::roof);
+}
+
 TEST(Structures, TheTilesDoNotDecide) {
+  const CellScene above = roof_and_crowns();
+  const Image of_above = above.structure(100, StreetView::air);
+  for (const std::uint32_t side : {16u, 37u})
+    EXPECT_EQ(above.structure(side, StreetView::air).values, of_above.values) << side;
   const CellScene scene = busy_scene();
   const Image want = scene.structure(100, StreetView::street);
   for (const std::uint32_t side : {16u, 37u})

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// The results of a run as JSON, over run.h, planes.h, roofs.h, facades.h and streets.h.
+#include <nlohmann/json.hpp>
+
+#include "c_api/guard.h"
+#include "ilot/facades.h"
+#include "ilot/planes.h"
+#include "ilot/roofs.h"
+#include "ilot/run.h"
+#include "ilot/streets.h"
+
+namespace ilot::c {
+
+namespace {
+
+using Json = nlohmann::json;
+
+template <typename T, typename Convert>
+Json list_of(const std::vector<T>& values, const Convert& convert) {
+  Json list = Json::array();
+  for (const T& value : values) list.push_back(convert(value));
+  return list;
+}
+
+Json ring_json(const std::vector<Vec3>& ring) {
+  return list_of(ring, json_of);
+}
+
+std::string text_of_path(const std::filesystem::path& path) {
+  return path.generic_string();
+}
+
+Json run_json(const RunReport& r) {
+  return {{"exit", static_cast<int>(r.exit)},
+          {"folder", r.folder.string()},
+          {"products", r.products},
+          {"points_read", r.points_read},
+          {"points_labelled", r.points_labelled},
+          {"points_unlabelled", r.points_unlabelled},
+          {"points_rejected", r.points_rejected},
+          {"skipped", list_of(r.skipped,
+                              [](const SkippedRecord& s) {
+                                return Json{{"what", s.what}, {"where", s.where}, {"reason", s.reason}};
+                              })},
+          {"warnings", r.warnings},
+          {"chosen", r.chosen},
+          {"files", list_of(r.files, text_of_path)},
+          {"clouds", list_of(r.clouds, text_of_path)},
+          {"seconds", r.seconds},
+          {"peak_memory_bytes", r.peak_memory_bytes},
+          {"result_hash", r.result_hash}};
+}
+
+Json plane_json(const Segment& s, const Outline& outline) {
+  return {{"id", s.id},
+          {"normal", json_of(s.plane.n)},
+          {"d", s.plane.d},
+          {"points", s.points},
+          {"centroid", json_of(s.centroid)},
+          {"rms_m", s.rms_m},
+          {"epsilon_m", s.epsilon_m},
+          {"area_m2", s.area_m2},
+          {"confidence", s.confidence},
+          {"outline", list_of(outline.parts, [](const Outline::Part& part) { return list_of(part, ring_json); })}};
+}
+
+constexpr const char* kSurfaceKinds[] = {"roof", "wall", "ground"};
+
+Json level_json(const Building& b) {
+  return {{"lod", b.lod},
+          {"vertices", ring_json(b.vertices)},
+          {"surfaces", list_of(b.surfaces, [](const auto& s) {
+             return Json{{"kind", kSurfaceKinds[static_cast<std::size_t>(s.kind)]}, {"rings", s.rings}};
+           })}};
+}
+
+Json building_json(const BuildingModel& m) {
+  Json attributes = Json::object();
+  for (const auto& [name, value] : m.attributes)
+    std::visit([&, key = name](const auto& v) { attributes[key] = v; }, value);
+  return {{"id", m.id}, {"attributes", attributes}, {"levels", list_of(m.levels, level_json)}};
+}
+
+constexpr const char* kStatus[] = {"seen", "completed", "occluded"};
+
+const char* status_text(DrawnStatus status) {
+  return kStatus[static_cast<std::size_t>(status)];
+}
+
+Json element_json(const FacadeElement& e) {
+  return {{"id", e.id},
+          {"kind", e.kind},
+          {"opening", e.opening},
+          {"family", e.family},
+          {"row", e.row},
+          {"column", e.column},
+          {"status", status_text(e.status)},
+          {"reason", e.reason},
+          {"ring", ring_json(e.ring)},
+          {"edges", list_of(e.edges,
+                            [](const FacadeEdge& edge) {
+                              return Json{{"status", status_text(edge.status)}, {"error_m", edge.error_m}};
+                            })},
+          {"width_m", e.width_m},
+          {"height_m", e.height_m},
+          {"depth_m", e.depth_m},
+          {"width_error_m", e.width_error_m},
+          {"height_error_m", e.height_error_m},
+          {"points", e.points}};
+}
+
+Json facade_json(const Facade& f) {
+  return {{"id", f.id},
+          {"crs", f.crs},
+          {"origin", json_of(f.origin)},
+          {"right", json_of(f.right)},
+          {"up", json_of(f.up)},
+          {"out", json_of(f.out)},
+          {"width_m", f.width_m},
+          {"height_m", f.height_m},
+          {"elements", list_of(f.elements, element_json)}};
+}
+
+Json object_json(const StreetObject& o) {
+  return {{"id", o.id},
+          {"label", label_name(o.label)},
+          {"probability", o.probability},
+          {"base", json_of(o.base)},
+          {"middle", json_of(o.middle)},
+          {"height_m", o.height_m},
+          {"length_m", o.length_m},
+          {"width_m", o.width_m},
+          {"heading_deg", o.heading_deg},
+          {"area_m2", o.area_m2},
+          {"points", o.points},
+          {"stretch", o.stretch},
+          {"block", o.block}};
+}
+
+Json part_json(const FacadePart& p) {
+  return {{"stretch", p.stretch}, {"number", p.number},     {"from", json_of(p.from)},
+          {"to", json_of(p.to)},  {"length_m", p.length_m}, {"height_m", p.height_m}};
+}
+
+Json planes_json(const PlaneSet& set) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < set.segments.size(); ++i) list.push_back(plane_json(set.segments[i], set.outlines[i]));
+  return list;
+}
+
+Json streets_json(const StreetPlan& plan) {
+  return {{"objects", list_of(plan.objects, object_json)},
+          {"blocks", list_of(plan.blocks, part_json)},
+          {"gaps", list_of(plan.gaps, part_json)}};
+}
+
+template <typename Read>
+ilot_status read_as_json(const char* folder, char** json, const Read& read) {
+  return guarded([&] {
+    need(json, "json");
+    *json = nullptr;
+    need(folder, "folder");
+    *json = text_of(read(std::filesystem::path(folder)));
+    return ILOT_OK;
+  });
+}
+
+}  // namespace
+
+}  // namespace ilot::c
+
+using namespace ilot;
+using namespace ilot::c;
+
+extern "C" {
+
+ilot_status ilot_read_run(const char* folder, char** json) {
+  return read_as_json(folder, json, [](const auto& path) { return run_json(read_run(path)); });
+}
+
+ilot_status ilot_read_planes(const char* folder, char** json) {
+  return read_as_json(folder, json, [](const auto& path) { return planes_json(read_planes(path)); });
+}
+
+ilot_status ilot_read_roofs(const char* folder, char** json) {
+  return read_as_json(folder, json, [](const auto& path) { return list_of(read_roofs(path), building_json); });
+}
+
+ilot_status ilot_read_facades(const char* folder, char** json) {
+  return read_as_json(folder, json, [](const auto& path) { return list_of(read_facades(path), facade_json); });
+}
+
+ilot_status ilot_read_streets(const char* folder, char** json) {
+  return read_as_json(folder, json, [](const auto& path) { return streets_json(read_streets(path)); });
+}
+
+}  // extern "C"

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Readers of what `ilot export` writes, made from the specifications alone: nothing of ilot reads its own files here."""
+import collections
+import json
+import math
+import struct
+
+
+class Solid:
+    """The polygons of a building in CityJSON, full coordinates."""
+    def __init__(self, vertices, faces, kinds):
+        self.vertices, self.faces, self.kinds = vertices, faces, kinds
+
+    def used(self):
+        return {self.vertices[i] for face in self.faces for ring in face for i in ring}
+
+    def volume(self):
+        """Rings of flat faces as fans from a vertex: signed, so that they need not be convex, and holes count themselves."""
+        at = self.vertices[self.faces[0][0][0]]
+        return sum(six_volumes(minus(self.vertices[ring[0]], at), minus(self.vertices[a], at), minus(self.vertices[b], at))
+                   for face in self.faces for ring in face for a, b in zip(ring[1:], ring[2:])) / 6
+
+
+def minus(a, b):
+    return tuple(x - y for x, y in zip(a, b))
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def six_volumes(a, b, c):
+    return dot(a, cross(b, c))
+
+
+def city_models(path):
+    """id -> (attributes, {lod: Solid}) of a CityJSONSeq."""
+    models = {}
+    with open(path, encoding="utf-8") as file:
+        head = json.loads(file.readline())["transform"]
+        for line in file:
+            feature = json.loads(line)
+            vertices = [tuple(t + s * c for t, s, c in zip(head["translate"], head["scale"], v)) for v in feature["vertices"]]
+            thing = feature["CityObjects"][feature["id"]]
+            levels = {}
+            for geometry in thing["geometry"]:
+                if geometry["type"] != "Solid":
+                    continue
+                surfaces = geometry["semantics"]["surfaces"]
+                kinds = [surfaces[i]["type"] for i in geometry["semantics"]["values"][0]]
+                levels[geometry["lod"]] = Solid(vertices, geometry["boundaries"][0], kinds)
+            models[feature["id"]] = (thing["attributes"], levels)
+    return models
+
+
+def mesh_faults(triangles):
+    """How many directed edges have not exactly one opposite; triangles of corners that are equal where they meet."""
+    edges = collections.Counter((t[i], t[(i + 1) % 3]) for t in triangles for i in range(3))
+    return sum(1 for (a, b), n in edges.items() if edges[(b, a)] != n)
+
+
+def mesh_volume(triangles):
+    at = triangles[0][0]
+    return sum(six_volumes(*(minus(c, at) for c in t)) for t in triangles) / 6
+
+
+def read_stl(path):
+    data = path.read_bytes()
+    count = struct.unpack_from("<I", data, 80)[0]
+    assert len(data) == 84 + 50 * count, "the length of an STL follows from its count"
+    words = data[:80].split(b"\0")[0].decode().split(" add ")
+    offset = tuple(float(w) for w in words[1].split())
+    triangles = []
+    for i in range(count):
+        numbers = struct.unpack_from("<12f", data, 84 + 50 * i)
+        triangles.append(tuple(tuple(numbers[3 + 3 * k:6 + 3 * k]) for k in range(3)))
+    return offset, triangles
+
+
+def read_ply(path):
+    data = path.read_bytes()
+    end = data.index(b"end_header\n") + len(b"end_header\n")
+    lines = data[:end].decode().splitlines()
+    counts = {w[1]: int(w[2]) for w in map(str.split, lines) if w[0] == "element"}
+    vertices = [struct.unpack_from("<3d", data, end + 24 * i) for i in range(counts["vertex"])]
+    at, faces = end + 24 * counts["vertex"], []
+    for i in range(counts["face"]):
+        n, a, b, c, _, _, _, kind, building = struct.unpack_from("<B3I4BI", data, at + 21 * i)
+        assert n == 3
+        faces.append(((a, b, c), kind, building))
+    assert at + 21 * counts["face"] == len(data)
+    return lines, vertices, faces
+
+
+class Glb:
+    COMPONENTS = {5121: "B", 5123: "H", 5125: "I", 5126: "f"}
+    NUMBERS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3}
+
+    def __init__(self, data):
+        magic, version, size, length, kind = struct.unpack_from("<4s4I", data)
+        assert (magic, version, size, kind) == (b"glTF", 2, len(data), 0x4E4F534A)
+        self.json = json.loads(data[20:20 + length])
+        binary, kind = struct.unpack_from("<II", data, 20 + length)
+        assert kind == 0x004E4942
+        self.binary = data[28 + length:28 + length + binary]
+
+    def view(self, number):
+        view = self.json["bufferViews"][number]
+        return self.binary[view["byteOffset"]:view["byteOffset"] + view["byteLength"]]
+
+    def accessor(self, number):
+        accessor = self.json["accessors"][number]
+        n = self.NUMBERS[accessor["type"]]
+        values = struct.unpack_from(f"<{n * accessor['count']}{self.COMPONENTS[accessor['componentType']]}",
+                                    self.view(accessor["bufferView"]))
+        return values if n == 1 else [values[i:i + n] for i in range(0, len(values), n)]
+
+    def meshes(self):
+        """(node, primitives with corners) of every node with a mesh; corners placed by all nodes above, y up."""
+        def walk(number, above):
+            node = self.json["nodes"][number]
+            def place(p):
+                p = turned(node.get("rotation"), p)
+                return above(tuple(a + b for a, b in zip(p, node.get("translation", (0, 0, 0)))))
+            if "mesh" in node:
+                yield node, [self.corners(p, place) for p in self.json["meshes"][node["mesh"]]["primitives"]]
+            for child in node.get("children", []):
+                yield from walk(child, place)
+        for number in self.json["scenes"][self.json["scene"]]["nodes"]:
+            yield from walk(number, lambda p: p)
+
+    def corners(self, primitive, place):
+        attributes = {name: self.accessor(n) for name, n in primitive["attributes"].items()}
+        places = [place(p) for p in attributes["POSITION"]]
+        indices = self.accessor(primitive["indices"])
+        return {"triangles": [tuple(places[i] for i in indices[k:k + 3]) for k in range(0, len(indices), 3)],
+                "corners": [indices[k:k + 3] for k in range(0, len(indices), 3)], "attributes": attributes,
+                "material": primitive["material"], "extensions": primitive.get("extensions", {})}
+
+
+def turned(q, p):
+    if q is None:
+        return p
+    u, w = q[:3], q[3]
+    t = tuple(2 * c for c in cross(u, p))
+    return tuple(a + w * b + c for a, b, c in zip(p, t, cross(u, t)))
+
+
+def length(v):
+    return math.sqrt(dot(v, v))
