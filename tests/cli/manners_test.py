@@ -10,7 +10,7 @@ import unittest
 
 from support import CliCase, ilot
 
-COMMANDS = ("run", "info", "convert", "scan", "draw", "evaluate", "render", "replay", "report", "validate", "view",
+COMMANDS = ("run", "info", "convert", "scan", "draw", "edits", "evaluate", "render", "replay", "report", "validate", "view",
             "doctor", "manual", "completion")
 
 

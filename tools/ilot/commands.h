@@ -16,6 +16,7 @@ void add_convert_command(CLI::App& app, Action& action);
 void add_replay_command(CLI::App& app, Action& action);
 void add_scan_command(CLI::App& app, Action& action);
 void add_draw_command(CLI::App& app, Action& action);
+void add_edits_command(CLI::App& app, Action& action);
 void add_evaluate_command(CLI::App& app, Action& action);
 void add_render_command(CLI::App& app, Action& action);
 void add_report_command(CLI::App& app, Action& action);

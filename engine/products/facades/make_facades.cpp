@@ -13,6 +13,7 @@
 #include "engine/pass/resident.h"
 #include "engine/products/facades/elements/facade_elements.h"
 #include "engine/products/facades/elements/facade_model.h"
+#include "engine/products/facades/facade_edit_step.h"
 #include "engine/products/facades/facade_gathering.h"
 #include "engine/products/facades/facade_labels.h"
 #include "engine/products/facades/facade_proofs.h"
@@ -348,6 +349,7 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   run->walls = find_walls(pieces.segments, sides, params, pieces.ends);
   std::erase_if(run->walls, [&](const WallGroup& wall) { return !is_wanted(wall, store.unit(), context); });
   work.recorded = run->stations.size() > 1 && write_station_column(store, inputs, context, progress, record);
+  FacadeEditStep edits(inputs.edits, run->walls, context, store.unit(), EditTally(progress, record));
   settle_sides(run->walls, settings.facades, context.metres_per_unit, progress, record);
   const std::vector<std::vector<WallGroup>> dormers =
       dormers_of(run->walls, planes.segments, params, settings.facades.advanced);
@@ -362,6 +364,7 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   progress.begin_stage("facades", points, {run->walls.size(), run->walls.size() == 1 ? "facade" : "facades"});
   run->found.resize(run->walls.size());
   find_each({settings, inputs, context, concurrency, observer}, dormers, tasks, *run);
+  edits.edit(run->found);
   join_facades(run->found, small_walls(run->walls, pieces.segments, sides, params, pieces.ends),
                settings.facades.advanced, context.metres_per_unit);
   for (std::size_t i = 0; i < run->found.size(); ++i) run->found[i].facade.id = static_cast<std::uint32_t>(i + 1);
