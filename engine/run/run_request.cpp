@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <vector>
@@ -36,6 +38,19 @@ json file_json(const fs::path& path) {
 
 json named_file(const fs::path& path) {
   return path.empty() ? json() : file_json(path);
+}
+
+// The content of a table counts, not its date.
+json edits_json(const std::vector<fs::path>& paths) {
+  json list = json::array();
+  for (const fs::path& path : paths) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    Sha256 sum;
+    sum.update(std::as_bytes(std::span(text)));
+    list.push_back(sum.hex());
+  }
+  return list;
 }
 
 json inputs_json(const RunInputs& inputs) {
@@ -123,6 +138,7 @@ std::string run_request(const RunOptions& options, const RunInputs& inputs) {
                      {"footprints", named_file(options.footprints)},
                      {"id_field", options.id_field},
                      {"train", named_file(options.train)},
+                     {"edits", edits_json(options.edits)},
                      {"stations", stations_json(inputs.stations)},
                      {"products", options.products},
                      {"crs", options.crs},

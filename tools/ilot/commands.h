@@ -20,6 +20,7 @@ void add_merge_command(CLI::App& app, Action& action);
 void add_scan_command(CLI::App& app, Action& action);
 void add_draw_command(CLI::App& app, Action& action);
 void add_export_command(CLI::App& app, Action& action);
+void add_edits_command(CLI::App& app, Action& action);
 void add_evaluate_command(CLI::App& app, Action& action);
 void add_render_command(CLI::App& app, Action& action);
 void add_report_command(CLI::App& app, Action& action);
