@@ -90,6 +90,7 @@ SiteResult SiteModeller::model(std::size_t number, SiteSteps* steps) const {
 RoofModel SiteModeller::model_of(const GatheredSite& gathered, RoofSteps* steps) const {
   if (gathered.site.points.empty()) {
     RoofModel model;
+    model.face_of_point.assign(gathered.site.beside.size(), 0);
     model.reason = why_empty(gathered);
     return model;
   }

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <sstream>
 
 #include "engine/error.h"
@@ -18,12 +19,13 @@ namespace {
 
 using nlohmann::json;
 
-// Two houses that share a wall, a third alone, level ground around them; millimetres.
+// Two houses that share a wall, a third alone, level ground around them, and further points without a class;
+// millimetres.
 struct Village {
   TemporaryFolder folder;
   std::filesystem::path cloud, footprints;
 
-  Village() {
+  explicit Village(std::span<const Index3> without_class = {}) {
     Rng rng(21);
     std::vector<Index3> points;
     std::vector<std::uint8_t> classes;
@@ -40,6 +42,8 @@ struct Village {
         classes.push_back(z > 1000 ? 6 : 2);
       }
     }
+    points.insert(points.end(), without_class.begin(), without_class.end());
+    classes.resize(points.size(), 1);
     cloud = folder.path() / "village.las";
     test::write_cloud(cloud, points, classes);
     footprints = folder.put("village.geojson", text());
@@ -209,6 +213,18 @@ TEST(RoofsProduct, AChoiceOfFootprintsGivesTheBuildingsOfAllOfThem) {
     for (const auto& [id, feature] : part.buildings)
       EXPECT_EQ(without_numbers(feature), without_numbers(whole.buildings.at(id))) << "choice " << n << ", " << id;
   }
+}
+
+TEST(RoofsProduct, PointsBesideAnOutlineWithoutABuildingPointHaveNoFace) {
+  std::vector<Index3> hedge;
+  for (std::int64_t y = 2000; y < 6000; y += 200) hedge.push_back({84058200, 447000000 + y, 4000});
+  const Village village(hedge);
+  const auto path = village.folder.put("yard.geojson", Village::collection({Village::box("yard", 54, 2, 58, 6)}));
+  const RoofsOutcome out = run_village(village, "out", [&](RunOptions& o) { o.footprints = path; });
+  ASSERT_EQ(out.ids, std::vector<std::string>{"yard"});
+  EXPECT_EQ(out.record["counts"]["roofs"]["footprint_only"], 1);
+  EXPECT_EQ(out.buildings.at("yard")["CityObjects"]["yard"]["attributes"]["reason"],
+            "none of the points in its outline is a building's");
 }
 
 TEST(RoofsProduct, PointsKnowTheirBuildingFaceAndLabel) {
