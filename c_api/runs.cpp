@@ -70,6 +70,7 @@ const std::map<std::string, Setter>& setters() {
       {"footprints", [](RunOptions& o, Name, Name v) { o.footprints = v; }},
       {"id_field", [](RunOptions& o, Name, Name v) { o.id_field = v; }},
       {"stations", [](RunOptions& o, Name, Name v) { o.stations = v; }},
+      {"edits", [](RunOptions& o, Name, Name v) { o.edits.emplace_back(v); }},
       {"train", [](RunOptions& o, Name, Name v) { o.train = v; }},
       {"crs", [](RunOptions& o, Name, Name v) { o.crs = v; }},
       {"to_crs", [](RunOptions& o, Name, Name v) { o.to_crs = v; }},

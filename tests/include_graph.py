@@ -23,7 +23,7 @@ LAYER_SEES = {
 # Folders of the engine by height. A folder includes itself and lower ones.
 HEIGHT = {"cloud": 0, "settings": 0, "model": 1, "report": 1, "formats": 1, "store": 2, "units": 3, "pass": 3, "tiles": 4,
           "visibility": 4, "columns": 4, "deliverables": 4, "validity": 5, "proof": 5, "products/planes": 6,
-          "products/roofs": 7, "products/facades": 7, "products/streets": 7, "labels": 8, "compare": 8, "products": 5, "run": 9, "replay": 10, "api": 10}
+          "products/roofs": 7, "products/facades": 7, "products/streets": 7, "labels": 8, "compare": 8, "products": 5, "run": 9, "replay": 10, "scale": 10, "api": 10}
 # Folders that may include engine/api. It converts the types of the engine into public ones and is called through
 # include/ilot.
 SEE_API = {"engine/api", "tools", "tests", "study"}

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "engine/columns/building_mask.h"
-#include "engine/columns/ground_surface.h"
 #include "engine/pass/pass.h"
 #include "engine/store/stretches.h"
 #include "engine/tiles/lattice_cells.h"
@@ -17,8 +15,6 @@ namespace {
 
 constexpr RasterUse kUse{"classes of points", ""};
 constexpr std::uint32_t kSide = 128;  // side of a tile, in pixels
-// Choice: a pixel of a metre gets a point even at one a square metre; narrower alleys are lost.
-constexpr double kPixelMetres = 1.1;  // largest side of a pixel
 constexpr std::uint64_t kRoleBytesPerPoint = 32, kBytesOfTile = 8u << 20;
 
 double unit_millimetres(const Store& store, const PassContext& context) {
@@ -28,7 +24,7 @@ double unit_millimetres(const Store& store, const PassContext& context) {
 // The side of a pixel in lattice units: a power of two, about a metre.
 std::int64_t pixel_units(double unit_mm) {
   int bits = 0;
-  while (bits < kTileBits && std::ldexp(unit_mm, bits + 1) <= kPixelMetres * 1000) ++bits;
+  while (bits < kTileBits && std::ldexp(unit_mm, bits + 1) <= kRolePixelMetres * 1000) ++bits;
   return std::int64_t{1} << bits;
 }
 

@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include "engine/columns/building_mask.h"
+#include "engine/columns/ground_surface.h"
 #include "engine/columns/point_roles.h"
 #include "engine/pass/context.h"
 #include "engine/store/store.h"
 
 namespace ilot {
+
+// Choice: a pixel of a metre gets a point even at one a square metre; narrower alleys are lost.
+constexpr double kRolePixelMetres = 1.1;  // largest side of a pixel
+
+// Points farther in plan than this from a point do not change its role, beside the normals of points within it.
+// Derived: the two halos, and one pixel for the point's own.
+constexpr double kFoundRolesReach = (kGroundHalo + kMaskHalo + 1) * kRolePixelMetres;  // metres
 
 struct FoundRolesParams {
   double ground_within = 0.5;  // metres from the surface of the ground

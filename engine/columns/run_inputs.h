@@ -6,6 +6,7 @@
 
 #include "engine/columns/stations_pass.h"
 #include "engine/formats/reader.h"
+#include "engine/model/edit.h"
 
 namespace ilot {
 
@@ -16,6 +17,7 @@ struct RunInputs {
   std::uint64_t points = 0;
   std::vector<Station> stations;            // from the stations file, or else from the inputs
   std::vector<InputStations> row_stations;  // for each reader, the stations of its rows
+  std::vector<Edit> edits;                  // corrections by hand, in the order in which they are made
 };
 
 }  // namespace ilot

@@ -170,10 +170,24 @@ struct IndexFiles {
   fs::path rejected() const { return folder / "rejected"; }
   fs::path corner() const { return folder / "corner"; }
   fs::path lattice() const { return folder / "lattice"; }
+  fs::path strays() const { return folder / "strays"; }
 };
 
+// The file of strays begins with the bits of its cells.
+void write_strays(const Strays& strays, int bits, const fs::path& path) {
+  std::vector<CoarseCell> cells{{bits, 0, 0}};
+  cells.insert(cells.end(), strays.cells().begin(), strays.cells().end());
+  write_column<CoarseCell>(path, cells);
+}
+
+Strays read_strays(const fs::path& path) {
+  if (!fs::exists(path)) return {};  // a store of an older version
+  const std::vector<CoarseCell> cells = read_column<CoarseCell>(path);
+  return {static_cast<int>(cells.at(0).x), {cells.begin() + 1, cells.end()}};
+}
+
 IndexResult nothing_with(const InputLattice& lattice, const fs::path& folder) {
-  return {Store(folder, lattice.unit, {}), {}, lattice, {}};
+  return {Store(folder, lattice.unit, {}), {}, lattice, {}, {}};
 }
 
 // Returns the lattice that the points need; writes the index when this is the lattice that was asked for.
@@ -187,7 +201,7 @@ InputLattice write_index(const std::vector<std::unique_ptr<PointReader>>& inputs
   const std::vector<SortedRun> runs = all_runs(inputs, tasks, with_cells, files.folder, context);
   limit_inputs(inputs, kAllFields);
   const CoarseCells cells = cells_of(runs, *with_cells.filter.coarse_bits);
-  const Strays strays = params.keep_strays ? Strays() : find_strays(cells);
+  const Strays strays = params.keep_strays ? Strays() : params.strays ? *params.strays : find_strays(cells);
   const InputLattice asked{params.unit, params.multiple};
   const InputLattice needed = checked_lattice(asked, inputs, runs, strays, context.metres_per_unit, params.finest_step);
   if (!(needed == asked)) {
@@ -204,14 +218,16 @@ InputLattice write_index(const std::vector<std::unique_ptr<PointReader>>& inputs
   const Index3 corner = least_corner(cells, strays);
   write_column<std::uint64_t>(files.rejected(), rejected);
   write_column<Index3>(files.corner(), std::span(&corner, 1));
+  write_strays(strays, *with_cells.filter.coarse_bits, files.strays());
   write_column<Block>(files.done(), blocks);
   return asked;
 }
 
 IndexResult finished_index(const IndexFiles& files, const InputLattice& lattice) {
-  IndexResult result{Store(files.folder, lattice.unit, read_column<Block>(files.done())), {}, lattice, {}};
+  IndexResult result{Store(files.folder, lattice.unit, read_column<Block>(files.done())), {}, lattice, {}, {}};
   ColumnReader<std::uint64_t>(files.rejected()).read(0, result.rejected);
   result.corner = read_column<Index3>(files.corner()).at(0);
+  result.strays = read_strays(files.strays());
   return result;
 }
 

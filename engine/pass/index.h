@@ -3,6 +3,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/pass/context.h"
@@ -18,7 +19,8 @@ struct IndexParams {
   std::uint64_t block_points = 1u << 20;
   std::uint64_t run_points = 1u << 20;  // greatest size of one sorted run
   ClassColumns classes = ClassColumns::none;
-  bool keep_strays = false;  // keeps points that are isolated and far from all others (engine/store/strays.h)
+  bool keep_strays = false;      // keeps points that are isolated and far from all others (engine/store/strays.h)
+  std::optional<Strays> strays;  // known from all inputs of a plan; none: found among the points of these inputs
 };
 
 struct IndexResult {
@@ -26,6 +28,7 @@ struct IndexResult {
   std::array<std::uint64_t, kRejections> rejected{};
   InputLattice lattice;  // when finer than asked for, the other fields are empty: the inputs must be read again with it
   Index3 corner;         // least corner of the coarse cells with points, without strays; independent of the area
+  Strays strays;         // what was left out as far from all other points
 };
 
 // Makes blocks from the inputs and reads each input once. With an area to keep, rows are not read when an octree in the

@@ -14,11 +14,6 @@ const char* name_of(RayOutcome met) {
   return kNames[static_cast<int>(met)];
 }
 
-const char* name_of(DrawnStatus status) {
-  constexpr const char* kNames[] = {"seen", "completed", "occluded"};
-  return kNames[static_cast<int>(status)];
-}
-
 const char* name_of_cell(std::uint8_t what) {
   constexpr const char* kNames[] = {"unknown", "wall", "open", "blocked", "shallow"};
   return kNames[what];

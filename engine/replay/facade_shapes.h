@@ -10,7 +10,6 @@ namespace ilot {
 
 const char* name_of(ElementKind kind);
 const char* name_of(RayOutcome met);
-const char* name_of(DrawnStatus status);
 const char* name_of_cell(std::uint8_t what);
 
 // Returns the corners of a found rectangle in the axes of the wall; inclined sides stay inclined.

@@ -86,6 +86,12 @@ Json footprints_json(const FootprintsRecord& f) {
           {"points_inside_shifted", f.inside_shifted}};
 }
 
+Json edits_json(const EditsRecord& e) {
+  return {{"given", e.given},       {"made", e.made},
+          {"repeated", e.repeated}, {"without_partner", e.without_partner},
+          {"outside", e.outside},   {"not_asked", e.not_asked}};
+}
+
 Json skipped_json(const RunRecord& record) {
   Json list = Json::array();
   for (const SkippedRecord& s : record.skipped) {
@@ -143,6 +149,7 @@ std::string run_json(const RunRecord& record) {
                         {"too_small", record.clusters->too_small},
                         {"points_of_too_small", record.clusters->points_of_too_small},
                         {"without_model", record.clusters->without_model}};
+  if (record.edits) json["edits"] = edits_json(*record.edits);
   if (record.cells)
     json["cells"] = {
         {"unit", record.cells->unit}, {"edge_steps", record.cells->edge}, {"most_points", record.cells->most_points}};

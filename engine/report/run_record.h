@@ -92,6 +92,15 @@ struct CellsRecord {
   std::uint64_t most_points = 0;  // a cell with more is cut into eight
 };
 
+// What became of the corrections by hand (--edits).
+struct EditsRecord {
+  std::uint64_t given = 0, made = 0;
+  std::uint64_t repeated = 0;         // say again what another one says
+  std::uint64_t without_partner = 0;  // nothing was found where they are; each is in `skipped`
+  std::uint64_t outside = 0;          // outside of the area that was asked for
+  std::uint64_t not_asked = 0;        // of products that were not asked for
+};
+
 // The CRS of the coordinates of all results.
 struct CrsRecord {
   std::string name;  // "EPSG:2154", else its name; "none"
@@ -119,6 +128,7 @@ struct RunRecord {
   std::optional<FacadeCounts> facades;
   std::optional<FootprintsRecord> footprints;
   std::optional<ClustersRecord> clusters;
+  std::optional<EditsRecord> edits;  // none: no edits were given
   std::vector<SkippedRecord> skipped;
   std::vector<ChosenRecord> chosen;
   std::vector<std::string> warnings;

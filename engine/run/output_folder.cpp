@@ -54,7 +54,7 @@ void remove_starting_with(const fs::path& folder, std::string_view beginning) {
 
 // Returns all that runs write in a store: what every store has, and the folders of the passes.
 std::vector<std::string> store_folders() {
-  std::vector<std::string> names{"blocks", "index", "rejected", "corner", "lattice", "flushed"};
+  std::vector<std::string> names{"blocks", "index", "rejected", "corner", "lattice", "strays", "flushed"};
   for (int pass = 0; pass < kPasses; ++pass) {
     std::istringstream folders(info_of(static_cast<Pass>(pass)).folders);
     for (std::string name; folders >> name;) names.push_back(name);

@@ -14,6 +14,7 @@
 #include "engine/pass/index.h"
 #include "engine/pass/input_lattice.h"
 #include "engine/pass/resident.h"
+#include "engine/products/facades/facade_edits.h"
 #include "engine/products/planes/cells/cells.h"
 #include "engine/products/planes/join/extend_pass.h"
 #include "engine/products/planes/make_boundaries.h"
@@ -137,6 +138,18 @@ void check_settings(const RunOptions& options, const RunInputs& inputs) {
   if (options.settings.boundaries.step == StepSource::stations && !known)
     throw Error("boundaries.step = stations: no station with its angular steps is known; give --stations",
                 ExitCode::usage);
+}
+
+// Holds the edits against each other, and counts those that no requested product makes.
+void check_edits(const RunOptions& options, const RunInputs& inputs, Progress& progress, RunRecord& record) {
+  if (options.edits.empty()) return;
+  record.edits = EditsRecord{inputs.edits.size(), 0, 0, 0, 0, 0};
+  check_facade_edits(inputs.edits, inputs.crs.metres_per_unit);
+  for (const Edit& edit : inputs.edits) record.edits->not_asked += !makes(options, edit.product.c_str());
+  if (record.edits->not_asked == 0) return;
+  record.warnings.push_back(counted(record.edits->not_asked, "edit") +
+                            " not used: of products that --products does not name");
+  progress.warn(record.warnings.back());
 }
 
 // Warns of files that no requested product reads.
@@ -283,6 +296,7 @@ int run_in_arena(const RunOptions& given, const TrainObjectModel& learn, Progres
   record.crs = {crs_name(inputs.crs), inputs.crs.metres_per_unit};
   if (options.area) options.area = area_in_crs(*options.area, inputs, progress, record);
   check_settings(options, inputs);
+  check_edits(options, inputs, progress, record);
   warn_of_unused(options, progress, record);
   const std::vector<PlannedSite> sites =
       options.footprints.empty() || !makes(options, "roofs")

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <vector>
@@ -26,17 +28,6 @@ std::string sum_of(const json& value) {
   return sum.hex();
 }
 
-// Hashes the first and the last 4 KiB: what a header declares and how the file ends, without reading the whole file.
-std::string ends_of(const fs::path& path) {
-  constexpr std::size_t kEnd = 4096;
-  const InputFile file(path);
-  std::array<std::byte, kEnd> bytes;
-  Sha256 sum;
-  sum.update(std::span(bytes).first(file.read_at(0, bytes)));
-  sum.update(std::span(bytes).first(file.read_at(file.size() - std::min<std::uint64_t>(file.size(), kEnd), bytes)));
-  return sum.hex();
-}
-
 json file_json(const fs::path& path) {
   std::error_code ignored;
   return {{"path", path_text(fs::absolute(path).lexically_normal())},
@@ -47,6 +38,19 @@ json file_json(const fs::path& path) {
 
 json named_file(const fs::path& path) {
   return path.empty() ? json() : file_json(path);
+}
+
+// The content of a table counts, not its date.
+json edits_json(const std::vector<fs::path>& paths) {
+  json list = json::array();
+  for (const fs::path& path : paths) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    Sha256 sum;
+    sum.update(std::as_bytes(std::span(text)));
+    list.push_back(sum.hex());
+  }
+  return list;
 }
 
 json inputs_json(const RunInputs& inputs) {
@@ -115,6 +119,16 @@ std::string changed_inputs(const json& before, const json& now) {
 
 }  // namespace
 
+std::string ends_of(const fs::path& path) {
+  constexpr std::size_t kEnd = 4096;
+  const InputFile file(path);
+  std::array<std::byte, kEnd> bytes;
+  Sha256 sum;
+  sum.update(std::span(bytes).first(file.read_at(0, bytes)));
+  sum.update(std::span(bytes).first(file.read_at(file.size() - std::min<std::uint64_t>(file.size(), kEnd), bytes)));
+  return sum.hex();
+}
+
 std::string run_request(const RunOptions& options, const RunInputs& inputs) {
   const json request{{"version", version()},
                      {"git_hash", git_hash()},
@@ -124,6 +138,7 @@ std::string run_request(const RunOptions& options, const RunInputs& inputs) {
                      {"footprints", named_file(options.footprints)},
                      {"id_field", options.id_field},
                      {"train", named_file(options.train)},
+                     {"edits", edits_json(options.edits)},
                      {"stations", stations_json(inputs.stations)},
                      {"products", options.products},
                      {"crs", options.crs},

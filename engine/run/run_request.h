@@ -20,4 +20,8 @@ enum class Compare {
 // Returns the names of the differences, separated by commas; empty when there are none.
 std::string request_differences(const std::string& before, const std::string& now, Compare what);
 
+// Hashes the first and the last 4 KiB of a file: what a header declares and how the file ends, without reading all of
+// it.
+std::string ends_of(const std::filesystem::path& path);
+
 }  // namespace ilot

@@ -22,6 +22,7 @@ enum class ExitCode {
   failed = 1,         // a file is damaged, the disk is full, no point is left
   usage = 2,          // what was asked for cannot be: a wrong value, a missing file
   incomplete = 3,     // done, but something was skipped
+  try_again = 75,     // a task of a plan: the machine was at fault, not what was asked for
   interrupted = 130,  // stopped on request; a run can be resumed
 };
 

@@ -21,6 +21,7 @@ enum class DrawnStatus : std::uint8_t {
   seen,       // points on it
   completed,  // carried over from its family or its neighbours, no points of its own
   occluded,   // lies in a laser shadow: not known
+  by_hand,    // a person drew or corrected it (RunOptions::edits): it has no stated error
 };
 
 struct FacadeArc {

@@ -105,8 +105,8 @@ ILOT_PUBLIC void ilot_run_free(ilot_run* run);
 /* A cloud, a folder of clouds, or a pattern. */
 ILOT_PUBLIC ilot_status ilot_run_add_input(ilot_run* run, const char* path);
 /* An option by its name: output, products ("planes,roofs"), memory_bytes, threads, store, bounds ("x0,y0,x1,y1"),
- * within (a file), footprints, id_field, stations, train, crs, to_crs, existing (refuse, resume, overwrite); and
- * strict, dry_run, keep_store, clouds, report ("true", "false"). */
+ * within (a file), footprints, id_field, stations, edits (each call adds a table), train, crs, to_crs, existing
+ * (refuse, resume, overwrite); and strict, dry_run, keep_store, clouds, report ("true", "false"). */
 ILOT_PUBLIC ilot_status ilot_run_set_option(ilot_run* run, const char* name, const char* value);
 /* One setting: "planes.epsilon=0.02". */
 ILOT_PUBLIC ilot_status ilot_run_set(ilot_run* run, const char* assignment);

@@ -42,10 +42,11 @@ struct RunOptions {
   std::filesystem::path footprints;                     // outlines of buildings; empty = none
   std::string id_field;                                 // attribute of the footprints that names them; empty = found
   std::filesystem::path stations;                       // where the scanners stood; empty = as the inputs say
-  std::filesystem::path train;         // streets: a model of things (objects.model); empty = the own one
-  std::optional<TextDialect> dialect;  // of text inputs; none: found from their rows
-  std::string to_crs;                  // reproject to: "EPSG:2154", "utm" or empty
-  std::string crs;                     // overrides the inputs'; "EPSG:2154" or empty
+  std::filesystem::path train;               // streets: a model of things (objects.model); empty = the own one
+  std::vector<std::filesystem::path> edits;  // tables of corrections by hand, made one after the other; empty = none
+  std::optional<TextDialect> dialect;        // of text inputs; none: found from their rows
+  std::string to_crs;                        // reproject to: "EPSG:2154", "utm" or empty
+  std::string crs;                           // overrides the inputs'; "EPSG:2154" or empty
   Existing existing = Existing::refuse;
   bool strict = false;      // the first skipped file or unit ends the run with ExitCode::failed
   bool dry_run = false;     // say what would be done and needed, write nothing
@@ -69,7 +70,7 @@ struct RunCallbacks {
 };
 
 struct SkippedRecord {
-  std::string what;    // "input", "unit", "product"
+  std::string what;    // "input", "unit", "product", "edit"
   std::string where;   // path or id
   std::string reason;  // one sentence
 };

@@ -78,7 +78,7 @@ class Element:
     family: int  # equal elements share it; 0 = none
     row: int
     column: int
-    status: str  # seen, completed, occluded
+    status: str  # seen, completed, occluded, by hand
     reason: str
     ring: Floats  # array of shape (corners, 3)
     edge_error_m: Floats  # array: bound on the place of each edge

@@ -75,25 +75,27 @@ def _function(name: str, function: Any) -> Any:
 
 def run(inputs: Path | Iterable[Path], output: Path, *, products: str | Iterable[str] = ("planes",),
         settings: dict[str, Any] | None = None, memory: int | str = "2G", threads: int = 0, footprints: Path = "",
-        id_field: str = "", stations: Path = "", train: Path = "", bounds: tuple[float, float, float, float] | None = None,
-        crs: str = "", to_crs: str = "", existing: str = "refuse", strict: bool = False, keep_store: bool = False,
+        id_field: str = "", stations: Path = "", train: Path = "", edits: Iterable[Path] = (),
+        bounds: tuple[float, float, float, float] | None = None, crs: str = "", to_crs: str = "",
+        existing: str = "refuse", strict: bool = False, keep_store: bool = False,
         clouds: bool = True, report: bool = True, store: Path = "",
         progress: Callable[[str, int, int, float], Any] | None = None,
         message: Callable[[str], Any] | None = None) -> RunResult:
     """Makes the products of the clouds in the folder `output`, which appears when it is whole. Returns a RunResult.
 
     inputs: a path or several (files, folders, patterns). settings: {"planes.epsilon": 0.02}; parameters() lists them, None is
-    auto. memory: bytes or "512M". bounds: (x0, y0, x1, y1) in CRS units. existing: refuse, resume or overwrite. progress(stage, done, total,
+    auto. memory: bytes or "512M". bounds: (x0, y0, x1, y1) in CRS units. edits: tables of corrections by hand.
+    existing: refuse, resume or overwrite. progress(stage, done, total,
     seconds) and message(line) are called while it works; what they raise stops the run and is raised again. Ctrl-C raises
     KeyboardInterrupt, and existing="resume" continues."""
     if isinstance(inputs, (str, os.PathLike)):
         inputs = [inputs]
     if isinstance(products, str):
         products = [products]
-    return RunResult(**_ilot.run(list(inputs), output, list(products), 
+    return RunResult(**_ilot.run(list(inputs), output, list(products),
                                  {key: _setting_text(v) for key, v in (settings or {}).items()}, memory=_memory(memory),
-                                 threads=operator.index(threads),
-                                 footprints=footprints, id_field=id_field, stations=stations, train=train, bounds=_bounds(bounds),
+                                 threads=operator.index(threads), footprints=footprints, id_field=id_field,
+                                 stations=stations, train=train, edits=list(edits), bounds=_bounds(bounds),
                                  crs=crs, to_crs=to_crs, existing=existing, strict=strict, keep_store=keep_store, clouds=clouds,
                                  report=report, store=store, progress=_function("progress", progress),
                                  message=_function("message", message)))

@@ -78,7 +78,7 @@ py::list roofs_python(const std::filesystem::path& folder) {
   return out;
 }
 
-constexpr const char* kStatus[] = {"seen", "completed", "occluded"};
+constexpr const char* kStatus[] = {"seen", "completed", "occluded", "by hand"};
 
 py::dict element_of(const FacadeElement& e) {
   py::dict one;

@@ -162,6 +162,7 @@ py::dict run_python(const std::vector<std::filesystem::path>& inputs, const std:
   options.id_field = more["id_field"].cast<std::string>();
   options.stations = more["stations"].cast<std::filesystem::path>();
   options.train = more["train"].cast<std::filesystem::path>();
+  options.edits = more["edits"].cast<std::vector<std::filesystem::path>>();
   options.crs = more["crs"].cast<std::string>();
   options.to_crs = more["to_crs"].cast<std::string>();
   options.existing = existing_of(more["existing"].cast<std::string>());

@@ -90,7 +90,7 @@ class Cli(CliCase):
         everything = json.loads(ilot("--version", "--json").stdout)
         for key in ("version", "git_hash", "compiler", "isa", "libraries"):
             self.assertTrue(everything[key], key)
-        for command in ("run", "info", "convert", "scan", "evaluate", "render", "replay", "report", "validate", "view"):
+        for command in ("run", "info", "convert", "scan", "evaluate", "render", "replay", "plan", "task", "merge", "report", "validate", "view"):
             completed = ilot(command, "--help")
             self.assertEqual(completed.returncode, 0)
             self.assertIn(f"Example: ilot {command} ", completed.stdout)

@@ -10,8 +10,8 @@ import unittest
 
 from support import CliCase, ilot
 
-COMMANDS = ("run", "info", "convert", "scan", "draw", "export", "evaluate", "render", "replay", "report", "validate", "view",
-            "doctor", "manual", "completion")
+COMMANDS = ("run", "info", "convert", "scan", "draw", "edits", "export", "evaluate", "render", "replay", "plan", "task", "merge",
+            "report", "validate", "view", "doctor", "manual", "completion")
 
 
 class Manners(CliCase):

@@ -78,9 +78,13 @@ int run_command_line(int argc, char** argv) {
   add_scan_command(app, action);
   add_draw_command(app, action);
   add_export_command(app, action);
+  add_edits_command(app, action);
   add_evaluate_command(app, action);
   add_render_command(app, action);
   add_replay_command(app, action);
+  add_plan_command(app, action);
+  add_task_command(app, action);
+  add_merge_command(app, action);
   add_report_command(app, action);
   add_validate_command(app, action);
   add_view_command(app, action);

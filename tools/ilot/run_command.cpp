@@ -26,7 +26,7 @@ constexpr std::uint64_t kLeastMemory = 96u << 20, kUsualMemory = std::uint64_t{2
 
 // The options as the user gave them.
 struct RunArguments {
-  std::vector<std::string> inputs, products{"planes"}, assignments;
+  std::vector<std::string> inputs, products{"planes"}, assignments, edits;
   std::string output, config, memory, store, bounds, within, footprints, id_field, stations, train, crs, to_crs,
       dialect, log;
   int threads = 0;
@@ -92,6 +92,7 @@ RunOptions options_of(const RunArguments& given) {
   options.id_field = given.id_field;
   options.stations = given.stations;
   options.train = given.train;
+  options.edits.assign(given.edits.begin(), given.edits.end());
   if (given.inputs.empty()) throw Error("run: no INPUT given (ilot run --help)", ExitCode::usage);
   if (given.output.empty()) throw Error("run: no output folder given: -o OUT (ilot run --help)", ExitCode::usage);
   options.output = given.output;
@@ -168,6 +169,9 @@ void add_work_options(CLI::App& command, RunArguments& given) {
       ->option_text("FILE");
   command
       .add_option("--train", given.train, "what objects on streets are, any vector file or truth, for streets [none]")
+      ->option_text("FILE");
+  command.add_option("--edits", given.edits, "corrections by hand, a table (CSV); repeatable [none]")
+      ->allow_extra_args(false)
       ->option_text("FILE");
   command.add_option("--crs", given.crs, "overrides what the inputs say [theirs]")->option_text("EPSG:n");
   command

@@ -22,7 +22,7 @@
     };
   }
 
-  const statuses = ['seen', 'completed', 'occluded'];
+  const statuses = ['seen', 'completed', 'occluded', 'by hand'];
   const corner = (f, u, v, n) => [0, 1, 2].map((k) => (f.origin[k] + u * f.right[k] + v * f.up[k] + n * f.out[k]) / 100);
   ilot.facadeCorner = corner;
 
@@ -42,7 +42,8 @@
           ['not wholly seen', count(of(1) + of(2))],
           ['95 % of seen edges within', f.error_mm > 0 ? f.error_mm + ' mm' : 'not stated']] };
     }
-    const sized = (k) => metres(e.mm[k], 1000, 3) + (e.error_mm[k] > 0 ? ` ± ${e.error_mm[k]} mm` : '');
+    const stated = (k) => (e.error_mm[k] > 0 ? ` ± ${e.error_mm[k]} mm` : '') || (e.status === 3 ? ', by hand' : '');
+    const sized = (k) => metres(e.mm[k], 1000, 3) + stated(k);
     return { kind: 'facade', id, element, title: `Facade ${id}: ${e.kind} ${e.id}`, box,
       facts: [['width', sized(0)], ['height', sized(1)], ['depth', sized(2)],
         ['row, column', e.at[0] ? e.at[0] + ', ' + e.at[1] : ''], ['status', statuses[e.status]], ['why', e.reason],

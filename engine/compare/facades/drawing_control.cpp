@@ -99,12 +99,6 @@ LayerControl evaluate_layer(const std::string& name, const std::vector<FlatPoint
   return control;
 }
 
-void check_units(const DxfDrawing& drawing, const char* which) {
-  constexpr std::int64_t kMetres = 6;
-  if (drawing.units.value_or(0) != kMetres)
-    throw Error(std::string(which) + " is not in metres ($INSUNITS 6): scale it first", ExitCode::usage);
-}
-
 nlohmann::ordered_json spread_json(const MeanAndSpread& v) {
   return {{"mean_m", v.mean}, {"sd_m", v.sd}};
 }
@@ -118,10 +112,16 @@ nlohmann::ordered_json control_json(const std::vector<VertexControl>& vertices) 
 
 }  // namespace
 
+void check_drawing_units(const DxfDrawing& drawing, const char* which) {
+  constexpr std::int64_t kMetres = 6;
+  if (drawing.units.value_or(0) != kMetres)
+    throw Error(std::string(which) + " is not in metres ($INSUNITS 6): scale it first", ExitCode::usage);
+}
+
 std::vector<LayerControl> compare_drawings(const DxfDrawing& ours, const DxfDrawing& corrected,
                                            const DrawingControlParams& params) {
-  check_units(ours, "our drawing");
-  check_units(corrected, "the corrected drawing");
+  check_drawing_units(ours, "our drawing");
+  check_drawing_units(corrected, "the corrected drawing");
   std::vector<LayerControl> layers;
   std::set<std::string> all;
   for (auto role = DrawingRole::outline; role <= DrawingRole::completed;

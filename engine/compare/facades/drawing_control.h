@@ -43,6 +43,9 @@ struct LayerControl {
 std::vector<LayerControl> compare_drawings(const DxfDrawing& ours, const DxfDrawing& corrected,
                                            const DrawingControlParams& params = {});
 
+// Throws a usage Error that names the drawing when it is not in metres.
+void check_drawing_units(const DxfDrawing& drawing, const char* which);
+
 // The text is a table of layers, then of the 20 vertices that moved farthest. The JSON has all moved vertices with
 // their layers.
 std::string drawing_control_text(const std::vector<LayerControl>& layers);

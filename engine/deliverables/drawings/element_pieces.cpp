@@ -58,18 +58,19 @@ std::string metres(double value) {
 }  // namespace
 
 std::vector<DrawingAttribute> schedule_of(const FacadeElement& element, const FlatElement& flat) {
-  constexpr std::array<const char*, 3> kStatus{"seen", "completed", "occluded"};
   double error = 0;
-  for (const FacadeEdge& edge : flat.edges) error = std::max(error, edge.error_m);
-  return {{"ID", std::to_string(element.id)},
-          {"KIND", element.kind},
-          {"WIDTH", metres(element.width_m)},
-          {"HEIGHT", metres(element.height_m)},
-          {"SILL", metres(flat.box.min.y)},
-          {"HEAD", metres(flat.box.max.y)},
-          {"DEPTH", metres(element.depth_m)},
-          {"ERROR", error > 0 ? decimal(1000 * error, 1) : ""},
-          {"STATUS", kStatus.at(static_cast<std::size_t>(element.status))}};
+  bool by_hand = false;
+  for (const FacadeEdge& edge : flat.edges) {
+    error = std::max(error, edge.error_m);
+    by_hand |= edge.status == DrawnStatus::by_hand;
+  }
+  std::string stated = error > 0 ? decimal(1000 * error, 1) : "";
+  if (by_hand) stated = name_of(DrawnStatus::by_hand);
+  return {{"ID", std::to_string(element.id)}, {"KIND", element.kind},
+          {"WIDTH", metres(element.width_m)}, {"HEIGHT", metres(element.height_m)},
+          {"SILL", metres(flat.box.min.y)},   {"HEAD", metres(flat.box.max.y)},
+          {"DEPTH", metres(element.depth_m)}, {"ERROR", stated},
+          {"STATUS", name_of(element.status)}};
 }
 
 void draw_elements(const Facade& facade, std::span<const FlatElement> flat, double metres_per_unit, Drawing& drawing) {

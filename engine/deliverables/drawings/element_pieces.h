@@ -16,7 +16,7 @@ namespace ilot {
 void draw_elements(const Facade& facade, std::span<const FlatElement> flat, double metres_per_unit, Drawing& drawing);
 
 // Returns what the schedule has of an opening: ID, KIND, WIDTH, HEIGHT, SILL and HEAD (heights), DEPTH, all in metres,
-// ERROR (mm, the largest of its edges; empty where none is known), STATUS.
+// ERROR (mm, the largest of its edges; empty where none is known, "by hand" where a person drew an edge), STATUS.
 std::vector<DrawingAttribute> schedule_of(const FacadeElement& element, const FlatElement& flat);
 
 }  // namespace ilot

@@ -12,7 +12,6 @@ namespace ilot {
 namespace {
 
 constexpr double kMuch = 0.5;  // of an edge
-constexpr std::array<const char*, 3> kStatus{"seen", "completed", "occluded"};
 constexpr std::array<const char*, 3> kGradeText{"good", "weak", "none"};
 
 std::string millimetres(double metres) {
@@ -21,6 +20,11 @@ std::string millimetres(double metres) {
 
 std::string percent(const std::optional<double>& share) {
   return share ? decimal(100 * *share, 0) : std::string();
+}
+
+std::string stated_of(const FacadeEdge& edge) {
+  if (edge.status == DrawnStatus::by_hand) return name_of(edge.status);
+  return edge.error_m > 0 ? millimetres(edge.error_m) : "";
 }
 
 // The evidence for an edge or a face of an element. What only edges have is empty for faces.
@@ -62,7 +66,7 @@ std::string words_of(const FacadeElement& element, const char* side, const Facad
         ", " + millimetres(edge.rms_m) + fmt::format(" mm RMS, along {} % of it", decimal(100 * edge.covered_share, 0));
   if (edge.occluded_share) words += ", " + percent(edge.occluded_share) + " % occluded";
   if (edge.error_m > 0) words += ", within " + millimetres(edge.error_m) + " mm";
-  words += std::string(", ") + kStatus[static_cast<std::size_t>(edge.status)];
+  words += std::string(", ") + name_of(edge.status);
   return element.reason.empty() ? words : words + " (" + element.reason + ")";
 }
 
@@ -88,8 +92,8 @@ std::size_t add_evidence_rows(const FacadeElement& element, const FlatElement& f
     for (std::size_t i = 0; i < flat.corners.size(); ++i) {
       const FacadeEdge& edge = flat.edges[i];
       const char* side = side_of(flat.corners[i], flat.corners[(i + 1) % flat.corners.size()]);
-      add({side, kStatus[static_cast<std::size_t>(edge.status)], edge.points, edge.rms_m,
-           edge.error_m > 0 ? millimetres(edge.error_m) : "", percent(edge.covered_share), edge.occluded_share});
+      add({side, name_of(edge.status), edge.points, edge.rms_m, stated_of(edge), percent(edge.covered_share),
+           edge.occluded_share});
     }
   for (const FacadeFace& f : element.faces)
     add({escaped_markup(clean_text(f.name)) + " face", "", f.points, f.rms_m, "", "", f.occluded_share});

@@ -141,9 +141,9 @@ void draw_chains(const FlatElement& flat, DrawingRole role, Drawing& drawing) {
   for (std::size_t k = 0; k < n;) {
     const std::size_t first = (start + k) % n;
     const DrawnStatus status = flat.edges[first].status;
-    DrawingLine line{status == DrawnStatus::seen        ? role
-                     : status == DrawnStatus::completed ? DrawingRole::completed
-                                                        : DrawingRole::occluded,
+    DrawingLine line{status == DrawnStatus::completed  ? DrawingRole::completed
+                     : status == DrawnStatus::occluded ? DrawingRole::occluded
+                                                       : role,
                      {},
                      start == n};
     for (; k < n && flat.edges[(start + k) % n].status == status; ++k)

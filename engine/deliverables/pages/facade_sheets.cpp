@@ -15,11 +15,6 @@ namespace ilot {
 namespace {
 
 constexpr std::size_t kMostListed = 200, kMostEvidence = 1000;
-constexpr std::array<const char*, 3> kStatus{"seen", "completed", "occluded"};
-
-std::string name_of(DrawnStatus status) {
-  return kStatus.at(static_cast<std::size_t>(status));
-}
 
 std::string switches(const Drawing& drawing, const DrawingLayers& layers, bool has_image, bool has_proof) {
   std::string boxes;
@@ -166,12 +161,16 @@ std::string FacadeSheets::html() const {
       "<p>{} {}, {} edges, of them {} completed and {} occluded.{}</p>\n", elements_,
       elements_ == 1 ? "element" : "elements", edges_, completed_edges_, occluded_edges_,
       drawn_ < facades_ ? fmt::format(" {} of {} facades are shown; the files have all.", drawn_, facades_) : "");
-  html +=
-      "<table><thead><tr><th>kind</th><th class=\"n\">seen</th><th class=\"n\">completed</th><th "
-      "class=\"n\">occluded</th></tr></thead><tbody>\n";
+  std::vector<DrawnStatus> columns{DrawnStatus::seen, DrawnStatus::completed, DrawnStatus::occluded};
+  if (std::any_of(by_kind_.begin(), by_kind_.end(),
+                  [](const auto& kind) { return kind.second.contains(DrawnStatus::by_hand); }))
+    columns.push_back(DrawnStatus::by_hand);
+  html += "<table><thead><tr><th>kind</th>";
+  for (const DrawnStatus status : columns) html += fmt::format("<th class=\"n\">{}</th>", ilot::name_of(status));
+  html += "</tr></thead><tbody>\n";
   for (const auto& [kind, counts] : by_kind_) {
     html += "<tr><td>" + escaped_markup(clean_text(kind)) + "</td>";
-    for (const DrawnStatus status : {DrawnStatus::seen, DrawnStatus::completed, DrawnStatus::occluded})
+    for (const DrawnStatus status : columns)
       html += fmt::format("<td class=\"n\">{}</td>", counts.contains(status) ? counts.at(status) : 0);
     html += "</tr>\n";
   }

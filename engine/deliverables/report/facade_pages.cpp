@@ -15,6 +15,7 @@
 #include "engine/deliverables/report/packed.h"
 #include "engine/deliverables/report/scene_facades.h"
 #include "engine/deliverables/tables/facade_json.h"
+#include "engine/report/counted.h"
 #include "engine/report/progress.h"
 #include "kernels/core/parallel.h"
 
@@ -63,7 +64,8 @@ class FacadeList {
     std::size_t openings = 0, completed = 0;
     for (const FacadeElement& e : facade.elements) {
       openings += e.opening;
-      completed += e.status != DrawnStatus::seen;
+      completed += e.status != DrawnStatus::seen && e.status != DrawnStatus::by_hand;
+      by_hand_ += e.status == DrawnStatus::by_hand;
       for (const FacadeEdge& edge : e.edges)
         if (edge.error_m > 0) {
           errors_.push_back(edge.error_m);
@@ -85,6 +87,10 @@ class FacadeList {
                          {"seen", "completed", "occluded"},
                          histogram(errors_, statuses_, 3, kEdges, 1000, 0)}) +
               "</div>\n";
+    if (by_hand_ > 0)
+      html +=
+          html_note(fmt::format("Corrected by hand (--edits): {}. The errors of what was drawn by hand are not stated.",
+                                counted(by_hand_, "element")));
     if (listed_ > kMostFacadesListed)
       html += html_note(fmt::format("The {} largest of {} facades are listed.", kMostFacadesListed, grouped(listed_)));
     return html + table_.html();
@@ -101,7 +107,7 @@ class FacadeList {
                    true};
   std::vector<double> errors_;
   std::vector<int> statuses_;
-  std::size_t listed_ = 0;
+  std::size_t listed_ = 0, by_hand_ = 0;
 };
 
 std::string data_link(const SmallImage& image) {

@@ -19,7 +19,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kVersion = 1;
-constexpr std::array<const char*, 3> kStatus{"seen", "completed", "occluded"};
 constexpr std::array<const char*, 3> kRegion{"facade", "element", "irregularity"};
 
 Json json_of(Vec3 p) {
@@ -30,11 +29,16 @@ Json json_of(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
+// What a person drew has no stated error.
+Json error_json(double error_m, bool by_hand) {
+  return by_hand && error_m == 0 ? Json(nullptr) : Json(error_m);
+}
+
 Json json_of(const FacadeEdge& e) {
-  return {{"status", kStatus[static_cast<std::size_t>(e.status)]},
+  return {{"status", name_of(e.status)},
           {"points", e.points},
           {"rms_m", e.rms_m},
-          {"error_m", e.error_m},
+          {"error_m", error_json(e.error_m, e.status == DrawnStatus::by_hand)},
           {"moved_m", e.moved_m},
           {"occluded_share", json_of(e.occluded_share)},
           {"covered_share", e.covered_share}};
@@ -71,7 +75,7 @@ Json json_of(const FacadeElement& e) {
             {"family", e.family},
             {"row", e.row},
             {"column", e.column},
-            {"status", kStatus[static_cast<std::size_t>(e.status)]},
+            {"status", name_of(e.status)},
             {"reason", e.reason}};
   json["ring"] = list_of(e.ring);
   json["edges"] = list_of(e.edges);
@@ -79,9 +83,10 @@ Json json_of(const FacadeElement& e) {
   json["width_m"] = e.width_m;
   json["height_m"] = e.height_m;
   json["depth_m"] = e.depth_m;
-  json["width_error_m"] = e.width_error_m;
-  json["height_error_m"] = e.height_error_m;
-  json["depth_error_m"] = e.depth_error_m;
+  const bool by_hand = e.status == DrawnStatus::by_hand;
+  json["width_error_m"] = error_json(e.width_error_m, by_hand);
+  json["height_error_m"] = error_json(e.height_error_m, by_hand);
+  json["depth_error_m"] = error_json(e.depth_error_m, by_hand);
   json["points"] = e.points;
   json["faces"] = list_of(e.faces);
   json["body"] = json_of(e.body);
@@ -96,15 +101,20 @@ std::optional<double> share_of(const JsonNode& node, const char* key) {
   return share;
 }
 
+// The error of what a person drew is null.
+double error_of(const JsonNode& node, const char* key) {
+  return node.at(key).json.is_null() ? 0 : node.at(key).number();
+}
+
 DrawnStatus status_of(const JsonNode& node) {
-  return static_cast<DrawnStatus>(node.choice(kStatus, "status: seen, completed or occluded"));
+  return static_cast<DrawnStatus>(node.choice(kDrawnStatusNames, "status: seen, completed, occluded or by hand"));
 }
 
 FacadeEdge edge_of(const JsonNode& r) {
   return {status_of(r.at("status")),
           r.at("points").count(),
           r.at("rms_m").number(),
-          r.at("error_m").number(),
+          error_of(r, "error_m"),
           r.at("moved_m").number(),
           share_of(r, "occluded_share"),
           share_of(r, "covered_share").value_or(0)};
@@ -152,9 +162,9 @@ FacadeElement element_of(const JsonNode& r) {
   e.width_m = r.at("width_m").number();
   e.height_m = r.at("height_m").number();
   e.depth_m = r.at("depth_m").number();
-  e.width_error_m = r.at("width_error_m").number();
-  e.height_error_m = r.at("height_error_m").number();
-  e.depth_error_m = r.at("depth_error_m").number();
+  e.width_error_m = error_of(r, "width_error_m");
+  e.height_error_m = error_of(r, "height_error_m");
+  e.depth_error_m = error_of(r, "depth_error_m");
   e.points = r.at("points").count();
   if (r.json.contains("faces")) e.faces = r.at("faces").list(face_of);
   if (r.json.contains("body")) e.body = body_of(r.at("body"));

@@ -32,6 +32,18 @@ double largest(const FacadeElement& e, Get get) {
   return most;
 }
 
+// The largest error of an element's edges, or "by hand" where a person drew one of them.
+std::string edge_error_text(const FacadeElement& e) {
+  if (count_edges(e, DrawnStatus::by_hand) > 0) return name_of(DrawnStatus::by_hand);
+  return decimal(largest(e, [](const FacadeEdge& edge) { return edge.error_m; }), 4);
+}
+
+// An error of a size. A size between edges that a person drew has none.
+std::string size_error_text(const FacadeElement& e, double error_m) {
+  const bool by_hand = error_m == 0 && count_edges(e, DrawnStatus::by_hand) > 0;
+  return by_hand ? name_of(DrawnStatus::by_hand) : decimal(error_m, 4);
+}
+
 std::uint64_t least_support(const FacadeElement& e) {
   std::uint64_t least = e.edges.empty() ? 0 : e.edges[0].points;
   for (const FacadeEdge& edge : e.edges) least = std::min(least, edge.points);
@@ -56,7 +68,6 @@ std::string shares_of(const FacadeElement& e, double metres_per_unit) {
 }  // namespace
 
 std::string facade_table(const Facade& facade, double metres_per_unit) {
-  constexpr std::array<const char*, 3> kStatus{"seen", "completed", "occluded"};
   std::string table =
       "facade,id,kind,family,row,column,status,width_m,height_m,depth_m,width_error_m,height_error_m,depth_error_m,"
       "x_m,bottom_m,top_m,edges,edges_completed,edges_occluded,edge_error_m,edge_points,edge_rms_m,covered_share,"
@@ -67,13 +78,12 @@ std::string facade_table(const Facade& facade, double metres_per_unit) {
     const auto d = [](double v) { return decimal(v, 4); };
     table += fmt::format(
         "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", facade.id, e.id,
-        cell(e.kind), e.family, e.row, e.column, kStatus[static_cast<std::size_t>(e.status)], d(e.width_m),
-        d(e.height_m), d(e.depth_m), d(e.width_error_m), d(e.height_error_m), d(e.depth_error_m), d(flat.box.min.x),
-        d(flat.box.min.y), d(flat.box.max.y), e.edges.size(), count_edges(e, DrawnStatus::completed),
-        count_edges(e, DrawnStatus::occluded), d(largest(e, [](const FacadeEdge& edge) { return edge.error_m; })),
-        least_support(e), d(largest(e, [](const FacadeEdge& edge) { return edge.rms_m; })),
-        shares_of(e, metres_per_unit), d(largest(e, [](const FacadeEdge& edge) { return edge.moved_m; })),
-        e.arcs.size(), e.points, cell(e.reason));
+        cell(e.kind), e.family, e.row, e.column, name_of(e.status), d(e.width_m), d(e.height_m), d(e.depth_m),
+        size_error_text(e, e.width_error_m), size_error_text(e, e.height_error_m), size_error_text(e, e.depth_error_m),
+        d(flat.box.min.x), d(flat.box.min.y), d(flat.box.max.y), e.edges.size(), count_edges(e, DrawnStatus::completed),
+        count_edges(e, DrawnStatus::occluded), edge_error_text(e), least_support(e),
+        d(largest(e, [](const FacadeEdge& edge) { return edge.rms_m; })), shares_of(e, metres_per_unit),
+        d(largest(e, [](const FacadeEdge& edge) { return edge.moved_m; })), e.arcs.size(), e.points, cell(e.reason));
   }
   return table;
 }

@@ -3,17 +3,15 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
-#include "engine/columns/colours_pass.h"
 #include "engine/columns/stations_pass.h"
-#include "engine/deliverables/pages/facade_files.h"
-#include "engine/formats/file_date.h"
 #include "engine/pass/pass.h"
 #include "engine/pass/resident.h"
 #include "engine/products/facades/elements/facade_elements.h"
 #include "engine/products/facades/elements/facade_model.h"
+#include "engine/products/facades/facade_drawings.h"
+#include "engine/products/facades/facade_edit_step.h"
 #include "engine/products/facades/facade_gathering.h"
 #include "engine/products/facades/facade_labels.h"
 #include "engine/products/facades/facade_proofs.h"
@@ -22,7 +20,6 @@
 #include "engine/products/facades/wall_sides.h"
 #include "engine/products/facades/walls/dormers.h"
 #include "engine/products/facades/walls/facade_joints.h"
-#include "engine/products/facades/walls/facade_rows.h"
 #include "engine/products/facades/walls/wall_groups.h"
 #include "engine/report/counted.h"
 #include "kernels/core/portable_math.h"
@@ -30,7 +27,6 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kImageTile = 512;  // pixels: 7 MB per thread
 constexpr const char* kNoRowStations =
     "facades: no input says which points are whose station's (point_source_id); it is guessed";
 constexpr const char* kStationsUnrecorded =
@@ -143,32 +139,6 @@ bool is_wanted(const WallGroup& wall, double unit, const PassContext& context) {
   return context.wanted({std::llround(middle.x / unit), std::llround(middle.y / unit), std::llround(middle.z / unit)});
 }
 
-// The text for the title block: the names of the inputs, and the time when their files were made.
-std::string source_of(const RunInputs& inputs) {
-  constexpr std::size_t kNamed = 2;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(inputs.readers.size(), kNamed); ++i) {
-    const CloudInfo& info = inputs.readers[i]->info();
-    const std::string date = file_date(info);
-    text += (i == 0 ? "" : ", ") + info.path.filename().string() + (date.empty() ? "" : " (file of " + date + ")");
-  }
-  if (inputs.readers.size() > kNamed) text += fmt::format(" and {} more", inputs.readers.size() - kNamed);
-  return text;
-}
-
-FacadeFilesParams files_params(const Settings& settings, const RunInputs& inputs, bool coloured) {
-  FacadeFilesParams p;
-  p.drawing.scale = settings.facades.scale;
-  p.drawing.language = settings.facades.language;
-  p.drawing.metres_per_unit = inputs.crs.metres_per_unit;
-  p.drawing.source = source_of(inputs);
-  p.layers = preset_layers(names_of(settings.facades.layers)[static_cast<std::size_t>(settings.facades.layers)]);
-  p.image.tile = kImageTile;
-  p.sections = {settings.facades.sections, settings.facades.upright_sections, settings.facades.section_lines};
-  if (!coloured) p.image.shade = ImageShade::relief;
-  return p;
-}
-
 // Writes the column "station" where it is useful and some input records it.
 bool write_station_column(const Store& store, const RunInputs& inputs, const PassContext& context, Progress& progress,
                           RunRecord& record) {
@@ -187,11 +157,6 @@ bool write_station_column(const Store& store, const RunInputs& inputs, const Pas
     record.warnings.push_back(warning);
   }
   return tally.recorded > 0;
-}
-
-// Writes the column "colour", with which images are painted. Returns false where no input has colours.
-bool colours_of_points(const Store& store, const RunInputs& inputs, const PassContext& context) {
-  return store.has(0, columns::kColour) || colours_pass(store, inputs.readers, context);
 }
 
 // Finds the relations of facades to each other, and to walls that are no facades, once all are known.
@@ -221,40 +186,6 @@ void reach_tops(std::span<const FoundFacade> found, std::vector<WallGroup>& wall
         const double top = dot(p - walls[i].axes.origin, walls[i].axes.up) * metres_per_unit;
         walls[i].above = std::max(walls[i].above, top + kAbove - walls[i].height);
       }
-}
-
-// Writes several facades at once: while an image is compressed, which takes one thread, others are painted.
-void write_facades(const FacadesOfRun& run, const FacadeFilesParams& params, const std::filesystem::path& folder,
-                   const PassContext& context, Progress& progress) {
-  // An image of four bytes a pixel, and its file, which grows in memory.
-  const PassTask each{std::uint64_t{params.image.most_pixels} * 8, 0};
-  std::atomic<std::size_t> done{0};
-  run_pass(std::vector(run.found.size(), each), context.budget_bytes, [&](std::size_t i) {
-    FacadeFilesParams own = params;
-    own.points = points_around(run.work, run.walls[i]);
-    write_facade_files(folder, run.found[i].facade, own);
-    progress.unit_done(facade_name(run.found[i].facade.id), 0, ++done, run.found.size());
-  });
-}
-
-// Draws each row of houses on a sheet of its own too.
-void write_rows(std::span<const FoundFacade> found, const FacadesSettings& settings, const FacadeFilesParams& params,
-                const std::filesystem::path& folder) {
-  std::vector<Facade> facades;  // without their elements
-  for (const FoundFacade& f : found) {
-    Facade& place = facades.emplace_back();
-    place.origin = f.facade.origin, place.right = f.facade.right, place.up = f.facade.up, place.out = f.facade.out;
-    place.width_m = f.facade.width_m, place.height_m = f.facade.height_m;
-  }
-  RowParams of_rows;
-  of_rows.gap = settings.gap, of_rows.step = settings.relief, of_rows.least_height = settings.least_height;
-  of_rows.metres_per_unit = params.drawing.metres_per_unit;
-  std::uint32_t number = 0;
-  for (const std::vector<std::size_t>& row : facade_rows(facades, of_rows)) {
-    std::vector<Facade> houses;
-    for (const std::size_t i : row) houses.push_back(found[i].facade);
-    write_row_files(folder, ++number, houses, params);
-  }
 }
 
 // Without stations: the log odds of the street side of each segment, from the points around the walls.
@@ -351,6 +282,7 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   run->walls = find_walls(pieces.segments, sides, params, pieces.ends);
   std::erase_if(run->walls, [&](const WallGroup& wall) { return !is_wanted(wall, store.unit(), context); });
   work.recorded = run->stations.size() > 1 && write_station_column(store, inputs, context, progress, record);
+  FacadeEditStep edits(inputs.edits, run->walls, context, store.unit(), EditTally(progress, record));
   settle_sides(run->walls, settings.facades, context.metres_per_unit, progress, record);
   const std::vector<std::vector<WallGroup>> dormers =
       dormers_of(run->walls, planes.segments, params, settings.facades.advanced);
@@ -365,6 +297,7 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   progress.begin_stage("facades", points, {run->walls.size(), run->walls.size() == 1 ? "facade" : "facades"});
   run->found.resize(run->walls.size());
   find_each({settings, inputs, context, concurrency, observer}, dormers, tasks, *run);
+  edits.edit(run->found);
   join_facades(run->found, small_walls(run->walls, pieces.segments, sides, params, pieces.ends),
                settings.facades.advanced, context.metres_per_unit);
   for (std::size_t i = 0; i < run->found.size(); ++i) run->found[i].facade.id = static_cast<std::uint32_t>(i + 1);
@@ -389,9 +322,7 @@ void make_facades(const Store& store, const PlanesResult& planes, const Settings
   }
   write_facade_labels(run->work, run->walls, run->found, context);
   if (!run->found.empty()) {
-    const FacadeFilesParams params = files_params(settings, inputs, colours_of_points(store, inputs, context));
-    write_facades(*run, params, folder, context, progress);
-    write_rows(run->found, settings.facades, params, folder);
+    write_facade_drawings(*run, settings, inputs, context, folder, progress);
   }
   record.facades = counts;
   progress.end_stage();

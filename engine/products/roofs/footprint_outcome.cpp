@@ -5,16 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 
 #include "engine/report/counted.h"
 
 namespace ilot {
 
-namespace {
-
-// The extent of the store's points in millimetres, the unit of outlines.
-GridBox extent_of(const Store& store, const PassContext& context) {
+GridBox extent_of_points(const Store& store, const PassContext& context) {
   constexpr std::int64_t kFar = std::numeric_limits<std::int64_t>::max();
   const double mm = store.unit() * context.metres_per_unit * 1000;
   GridBox extent{kFar, kFar, -kFar, -kFar};
@@ -29,31 +25,32 @@ GridBox extent_of(const Store& store, const PassContext& context) {
   return extent;
 }
 
-}  // namespace
-
-void resolve_skipped_footprints(const Store& store, std::span<const PlannedSite> sites, const PassContext& context,
-                                Progress& progress, RunRecord& record) {
-  if (!record.footprints) return;
-  const GridBox extent = extent_of(store, context);
-  std::set<std::string> all, beyond;
+SiteNames names_of(std::span<const PlannedSite> sites, const GridBox& extent) {
+  SiteNames names;
+  names.sites = sites.size();
   for (const PlannedSite& site : sites) {
-    all.insert(site.id);
-    if (!site.outline.polygon.empty() && !site.outline.box.meets(extent)) beyond.insert(site.id);
+    names.all.insert(site.id);
+    if (!site.outline.polygon.empty() && !site.outline.box.meets(extent)) names.beyond.insert(site.id);
   }
-  const auto is_beyond = [&](const SkippedRecord& s) { return s.what == "unit" && beyond.contains(s.where); };
+  return names;
+}
+
+void resolve_skipped_footprints(const SiteNames& names, Progress& progress, RunRecord& record) {
+  if (!record.footprints) return;
+  const auto is_beyond = [&](const SkippedRecord& s) { return s.what == "unit" && names.beyond.contains(s.where); };
   std::map<std::string, std::vector<std::string>> within;  // the cloud's extent, by reason
   std::vector<std::string>& outside = record.footprints->outside;
   for (const SkippedRecord& s : record.skipped) {
     if (is_beyond(s))
       outside.push_back(s.where);
-    else if (s.what == "unit" && all.contains(s.where))
+    else if (s.what == "unit" && names.all.contains(s.where))
       within[s.reason].push_back(s.where);
   }
   for (const auto& [reason, ids] : within)
     progress.units_skipped(ids, ids.size() == 1 ? "footprint is" : "footprints are", reason);
   std::erase_if(record.skipped, is_beyond);
   if (!outside.empty())
-    progress.note(grouped(outside.size()) + " of " + grouped(sites.size()) +
+    progress.note(grouped(outside.size()) + " of " + grouped(names.sites) +
                   " footprints are outside of the cloud's extent: " + first_names(outside));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reports on footprints from which no building was made.
 #pragma once
+#include <set>
 #include <span>
 #include <string>
 
@@ -12,11 +13,20 @@
 
 namespace ilot {
 
+// The extent of the store's points in millimetres, the unit of outlines.
+GridBox extent_of_points(const Store& store, const PassContext& context);
+
+// The ids of sites, and of those whose outlines lie wholly outside of an extent.
+struct SiteNames {
+  std::set<std::string> all, beyond;
+  std::size_t sites = 0;
+};
+SiteNames names_of(std::span<const PlannedSite> sites, const GridBox& extent);
+
 // Reports which footprints were skipped. A footprint that lies wholly outside of the cloud's extent is no fault,
 // because footprints of a whole town are usual. Such footprints move from record.skipped to record.footprints->outside
 // and are reported in one line.
-void resolve_skipped_footprints(const Store& store, std::span<const PlannedSite> sites, const PassContext& context,
-                                Progress& progress, RunRecord& record);
+void resolve_skipped_footprints(const SiteNames& names, Progress& progress, RunRecord& record);
 
 // Returns half a sentence that explains why there are no roofs to build. `sites` are those of the footprints; `given`:
 // there is a file of footprints; `area`: products are wanted in a part only.

@@ -8,7 +8,6 @@
 #include "engine/error.h"
 #include "engine/pass/pass.h"
 #include "engine/products/roofs/footprint_plan.h"
-#include "engine/products/roofs/roof_setup.h"
 #include "engine/products/roofs/roof_sink.h"
 #include "kernels/core/parallel.h"
 
@@ -83,26 +82,40 @@ struct RoofBudget {
   }
 };
 
-// Measures how far the outlines lie beside the points, from at most 64 outlines, evenly spread.
-void measure_misalignment(const SiteWork& work, std::span<const std::size_t> sites, std::span<const PassTask> costs,
-                          const RoofBudget& budget, Progress& progress, FootprintsRecord& record) {
-  constexpr std::size_t kMost = 64;
-  // Choice: 2 % of the points; smaller moves are within the noise of the outline.
-  constexpr double kWorthMoving = 0.02;  // least share of the points that a move would bring inside
-  std::vector<std::size_t> sample;
+// Counts the points inside shifted outlines of the numbers of `sites` in the sample.
+ShiftCounts count_all_shifts(const SiteWork& work, std::span<const std::size_t> sites,
+                             std::span<const std::size_t> sample, std::span<const PassTask> costs,
+                             const RoofBudget& budget) {
+  std::vector<std::size_t> counted;
   std::vector<PassTask> tasks;
-  for (std::size_t n = 0; n < kMost; ++n) {
-    const std::size_t i = n * sites.size() / kMost;
-    if (i >= sites.size() || work.sites[sites[i]].outline.polygon.empty()) continue;
-    if (!sample.empty() && sample.back() == sites[i]) continue;
-    sample.push_back(sites[i]);
+  for (const std::size_t i : sample) {
+    if (work.sites[sites[i]].outline.polygon.empty()) continue;
+    counted.push_back(sites[i]);
     tasks.push_back(costs[i]);
   }
-  std::vector<ShiftCounts> counts(sample.size());
-  run_pass(tasks, budget.tasks, [&](std::size_t i) { counts[i] = shifts_around(work, sample[i]); });
+  std::vector<ShiftCounts> counts(counted.size());
+  run_pass(tasks, budget.tasks, [&](std::size_t i) { counts[i] = shifts_around(work, counted[i]); });
   ShiftCounts all;
   for (const ShiftCounts& c : counts) add(all, c);
-  const Misalignment found = misalignment_of(all);
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::size_t> sample_of_sites(std::size_t sites) {
+  constexpr std::size_t kMost = 64;
+  std::vector<std::size_t> sample;
+  for (std::size_t n = 0; n < kMost; ++n)
+    if (const std::size_t i = n * sites / kMost; i < sites && (sample.empty() || sample.back() != i))
+      sample.push_back(i);
+  return sample;
+}
+
+void record_misalignment(const ShiftCounts& counts, Progress& progress, RunRecord& record_of_run) {
+  // Choice: 2 % of the points; smaller moves are within the noise of the outline.
+  constexpr double kWorthMoving = 0.02;  // least share of the points that a move would bring inside
+  FootprintsRecord& record = *record_of_run.footprints;
+  const Misalignment found = misalignment_of(counts);
   record.shift_x_m = found.dx_m;
   record.shift_y_m = found.dy_m;
   record.inside = found.inside;
@@ -116,6 +129,8 @@ void measure_misalignment(const SiteWork& work, std::span<const std::size_t> sit
   progress.warn(text);
 }
 
+namespace {
+
 // Consecutive sites and their results.
 struct Batch {
   std::size_t first = 0, end = 0;
@@ -128,22 +143,22 @@ Batch batch_from(std::size_t first, std::size_t sites, std::size_t together) {
   return batch;
 }
 
-void deliver(Batch& batch, RoofSink& sink) {
-  for (SiteResult& result : batch.results) {
-    sink.take(result);
-    result = {};
+void deliver(Batch& batch, const TakeSite& take) {
+  for (std::size_t i = 0; i < batch.results.size(); ++i) {
+    take(batch.first + i, batch.results[i]);
+    batch.results[i] = {};
   }
 }
 
 // Models the sites in batches in the order of ids. The sites of a batch are processed in parallel, and their results
 // are taken in order. While one batch is processed, one thread takes the results of the batch before.
 void model_sites(const SiteModeller& modeller, std::span<const std::size_t> sites, std::span<const PassTask> costs,
-                 const RoofBudget& budget, const PassContext& context, RoofSink& sink) {
+                 const RoofBudget& budget, const PassContext& context, const TakeSite& take) {
   Batch before;
   while (before.end < sites.size()) {
     Batch batch = batch_from(before.end, sites.size(), budget.together);
     parallel_for(2, [&](std::size_t turn) {
-      if (turn == 1) return deliver(before, sink);
+      if (turn == 1) return deliver(before, take);
       run_pass(costs.subspan(batch.first, batch.results.size()), budget.tasks, [&](std::size_t i) {
         batch.results[i] = modeller.model(sites[batch.first + i]);
         context.advance(costs[batch.first + i].points);
@@ -151,21 +166,7 @@ void model_sites(const SiteModeller& modeller, std::span<const std::size_t> site
     });
     before = std::move(batch);
   }
-  deliver(before, sink);
-}
-
-// The sites that share ground with others, in the order of ids.
-std::vector<OverlapRecord> overlaps_of(std::span<const PlannedSite> sites, const OutlineMap& map) {
-  std::vector<std::vector<std::uint32_t>> others(sites.size());
-  parallel_for(sites.size(), [&](std::size_t i) { others[i] = overlapping(sites, map, i); });
-  std::vector<OverlapRecord> overlaps;
-  for (std::size_t i = 0; i < sites.size(); ++i) {
-    if (others[i].empty()) continue;
-    OverlapRecord& record = overlaps.emplace_back();
-    record.id = sites[i].id;
-    for (const std::uint32_t other : others[i]) record.with.push_back(sites[other].id);
-  }
-  return overlaps;
+  deliver(before, take);
 }
 
 // The labels of points of no building: those that the cloud classifies as ground are labelled ground.
@@ -183,27 +184,49 @@ std::vector<PointLabel> labels_of_others(const SiteWork& work, const PassContext
 
 }  // namespace
 
+std::vector<OverlapRecord> overlaps_of(std::span<const PlannedSite> sites, const OutlineMap& map) {
+  std::vector<std::vector<std::uint32_t>> others(sites.size());
+  parallel_for(sites.size(), [&](std::size_t i) { others[i] = overlapping(sites, map, i); });
+  std::vector<OverlapRecord> overlaps;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (others[i].empty()) continue;
+    OverlapRecord& record = overlaps.emplace_back();
+    record.id = sites[i].id;
+    for (const std::uint32_t other : others[i]) record.with.push_back(sites[other].id);
+  }
+  return overlaps;
+}
+
+ShiftCounts model_buildings(const RoofSetup& setup, std::span<const std::size_t> sites,
+                            std::span<const std::size_t> sample, const PassContext& context, Progress& progress,
+                            RoofLabels& labels, const TakeSite& take) {
+  const SiteWork& work = setup.work;
+  const std::vector<PassTask> costs = costs_of(work, sites);
+  const RoofBudget budget(context.budget_bytes, work.sites, costs);
+  std::uint64_t points = 0;
+  for (const PassTask& cost : costs) points += cost.points;
+  progress.begin_stage("roofs", points, {sites.size(), sites.size() == 1 ? "building" : "buildings"});
+  const ShiftCounts shifts = count_all_shifts(work, sites, sample, costs, budget);
+  const SiteModeller modeller(work, setup.model, setup.file.city_json, labels);
+  model_sites(modeller, sites, costs, budget, context, take);
+  return shifts;
+}
+
 void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Settings& settings, const Crs& crs,
                 const PassContext& context, const ProductOutput& out) {
   const RoofSetup setup(store, sites, settings, crs, context);
-  const SiteWork& work = setup.work;
   const std::vector<std::size_t> wanted = wanted_sites(sites, store, context);
-  const std::vector<PassTask> costs = costs_of(work, wanted);
-  const RoofBudget budget(context.budget_bytes, sites, costs);
-  std::uint64_t points = 0;
-  for (const PassTask& cost : costs) points += cost.points;
-  out.progress.begin_stage("roofs", points, {wanted.size(), wanted.size() == 1 ? "building" : "buildings"});
-  if (out.record.footprints) {
-    out.record.footprints->overlaps = overlaps_of(sites, work.map);
-    measure_misalignment(work, wanted, costs, budget, out.progress, *out.record.footprints);
-  }
+  const bool given = out.record.footprints.has_value();
+  if (given) out.record.footprints->overlaps = overlaps_of(sites, setup.map);
   std::filesystem::create_directories(out.folder);
   RoofLabels labels(store);
-  RoofSink sink(out.folder, setup.file, crs, labels, out.record);
-  const SiteModeller modeller(work, setup.model, setup.file.city_json, labels);
-  model_sites(modeller, wanted, costs, budget, context, sink);
+  RoofSink sink(out.folder, setup.file, crs, &labels, out.record);
+  const ShiftCounts shifts =
+      model_buildings(setup, wanted, given ? sample_of_sites(wanted.size()) : std::vector<std::size_t>{}, context,
+                      out.progress, labels, [&](std::size_t, SiteResult& result) { sink.take(result); });
+  if (given) record_misalignment(shifts, out.progress, out.record);
   sink.finish();
-  labels.write_columns(context, [&](std::uint32_t block) { return labels_of_others(work, context, block); });
+  labels.write_columns(context, [&](std::uint32_t block) { return labels_of_others(setup.work, context, block); });
   out.progress.end_stage();
 }
 

@@ -6,13 +6,12 @@
 #include <algorithm>
 #include <functional>
 
-#include "engine/columns/found_roles.h"
-#include "engine/columns/normals_pass.h"
 #include "engine/columns/point_roles.h"
 #include "engine/products/roofs/cluster_plan.h"
 #include "engine/products/roofs/footprint_outcome.h"
 #include "engine/products/roofs/make_roofs.h"
 #include "engine/products/roofs/roof_labels.h"
+#include "engine/products/roofs/roof_roles.h"
 #include "engine/report/counted.h"
 
 namespace ilot {
@@ -41,20 +40,10 @@ std::string summary(const RunRecord& record) {
   return record.roofs ? counted(record.roofs->buildings, "building") : "";
 }
 
-// Writes the role of each point: as the cloud classifies it, or, where the cloud has no class for buildings, found by
-// shape.
 void make_roles(ProductRun& run) {
-  const auto& classes = run.settings.classes;
-  auto roles = point_roles(classes.building, classes.ground);
-  if (!run.settings.roofs.trust_classes) roles.fill(PointRole::unclassified);
-  if (count_of(write_roles(run.store, roles, run.context), PointRole::building) > 0) return;
-  run.progress.begin_stage("normals", run.store.points());
-  normals_pass(run.store, run.settings.normals, run.context);
-  run.progress.begin_stage("classes", run.store.points(), {run.store.points(), "points"});
-  const AdvancedRoofs& advanced = run.settings.roofs.advanced;
-  const RoleCounts found =
-      find_roles(run.store, {advanced.ground_within, advanced.least_height, advanced.smoothness}, run.context);
-  run.progress.end_stage();
+  const std::optional<RoleCounts> counted = make_roof_roles(run.store, run.settings, run.context, run.progress);
+  if (!counted) return;
+  const RoleCounts& found = *counted;
   run.record.chosen.push_back(
       {"roofs.trust_classes", std::string("false"),
        "no point of classes.building is used; found by shape: " + grouped(count_of(found, PointRole::ground)) +
@@ -85,7 +74,8 @@ void make(ProductRun& run) {
   const std::vector<PlannedSite>& sites = given ? *run.footprints : clusters;
   make_roofs(run.store, sites, run.settings, run.inputs.crs, run.context,
              {run.folder / "roofs", run.progress, run.record});
-  if (given) resolve_skipped_footprints(run.store, sites, run.context, run.progress, run.record);
+  if (given)
+    resolve_skipped_footprints(names_of(sites, extent_of_points(run.store, run.context)), run.progress, run.record);
   if (!given) note_clusters_without_model(run.progress, *run.record.clusters);
   const std::uint64_t outside = given ? run.record.footprints->outside.size() : 0;
   if (run.record.roofs->buildings == outside)

@@ -88,15 +88,9 @@ std::string roof_parameters(const Settings& settings) {
   return own.dump();
 }
 
-CityJsonParams city_json_params(const Store& store, std::span<const PlannedSite> sites, const Settings& settings,
-                                const Crs& crs, const PassContext& context) {
-  CityJsonParams params{crs.epsg, origin_near(context.corner, store.unit(), context.metres_per_unit), 0.0001,
-                        settings.roofs.attribute_style, context.metres_per_unit};
-  params.title = "Buildings from a point cloud";
-  params.software = "ilot " + version();
-  params.parameters = roof_parameters(settings);
-  params.extent = extent_of(store, sites, context.metres_per_unit);
-  return params;
+RoofFrame frame_of(const Store& store, std::span<const PlannedSite> sites, const PassContext& context) {
+  return {origin_near(context.corner, store.unit(), context.metres_per_unit),
+          extent_of(store, sites, context.metres_per_unit), columns_of(sites)};
 }
 
 OutlineMap map_of(std::span<const PlannedSite> sites) {
@@ -108,13 +102,21 @@ OutlineMap map_of(std::span<const PlannedSite> sites) {
 
 }  // namespace
 
+RoofFilesParams roof_files_params(const RoofFrame& frame, const Settings& settings, const Crs& crs) {
+  CityJsonParams params{crs.epsg, frame.origin, 0.0001, settings.roofs.attribute_style, crs.metres_per_unit};
+  params.title = "Buildings from a point cloud";
+  params.software = "ilot " + version();
+  params.parameters = roof_parameters(settings);
+  params.extent = frame.extent;
+  return {params, RoofFilesParams{}.largest_object, frame.further};
+}
+
 RoofSetup::RoofSetup(const Store& store, std::span<const PlannedSite> sites, const Settings& settings, const Crs& crs,
                      const PassContext& context)
     : map(map_of(sites)),
       work{store, sites, map, {}, context.metres_per_unit},
       model(model_params(settings.roofs)),
-      file{city_json_params(store, sites, settings, crs, context), RoofFilesParams{}.largest_object,
-           columns_of(sites)} {
+      file(roof_files_params(frame_of(store, sites, context), settings, crs)) {
   work.params.margin = settings.roofs.margin;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The data and settings that the modelling of all buildings of a run shares.
 #pragma once
+#include <array>
+#include <optional>
 #include <span>
 
 #include "engine/cloud/cloud_info.h"
@@ -10,6 +12,16 @@
 #include "engine/settings/settings.h"
 
 namespace ilot {
+
+// What the files of roofs say of the whole run: it needs all points and all outlines.
+struct RoofFrame {
+  Vec3 origin;                                  // of the coordinates in the files, CRS units
+  std::optional<std::array<double, 6>> extent;  // least and greatest x, y, z; CRS units
+  Columns further;                              // the attributes of the footprints
+};
+
+// Returns the parameters of the files for a frame.
+RoofFilesParams roof_files_params(const RoofFrame& frame, const Settings& settings, const Crs& crs);
 
 // The setup refers to the store and the sites, which must outlive it.
 struct RoofSetup {

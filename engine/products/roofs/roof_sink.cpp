@@ -4,7 +4,7 @@
 namespace ilot {
 
 RoofSink::RoofSink(const std::filesystem::path& folder, const RoofFilesParams& params, const Crs& crs,
-                   RoofLabels& labels, RunRecord& record)
+                   RoofLabels* labels, RunRecord& record)
     : files_(folder, params, crs), labels_(labels), record_(record) {
   record.roofs.emplace();
 }
@@ -15,7 +15,7 @@ void RoofSink::take(SiteResult& result) {
     for (BuildingSurface& s : level.surfaces) s.plane_id += s.plane_id > 0 ? planes_ : 0;
   result.levels[0].attributes.emplace_back("unit_id", std::int64_t{units_});
   files_.add(result.levels);
-  labels_.add(units_, planes_ + 1, result.labels);
+  if (labels_ != nullptr) labels_->add(units_, planes_ + 1, result.labels);
   planes_ += result.planes;
   count(result);
 }

@@ -13,7 +13,8 @@ namespace ilot {
 // Takes results in the order of ids, and numbers, writes and counts them.
 class RoofSink {
  public:
-  RoofSink(const std::filesystem::path& folder, const RoofFilesParams& params, const Crs& crs, RoofLabels& labels,
+  // `labels` takes the labels of points; nullptr where there are none, because tasks have left them in their stores.
+  RoofSink(const std::filesystem::path& folder, const RoofFilesParams& params, const Crs& crs, RoofLabels* labels,
            RunRecord& record);
 
   void take(SiteResult& result);
@@ -23,7 +24,7 @@ class RoofSink {
   void count(const SiteResult& result);
 
   RoofFiles files_;
-  RoofLabels& labels_;
+  RoofLabels* labels_;
   RunRecord& record_;
   std::uint32_t units_ = 0, planes_ = 0;
 };

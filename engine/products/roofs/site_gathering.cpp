@@ -78,6 +78,10 @@ SiteReader::Axis::Axis(std::int64_t anchor_mm, double unit_metres) : step(unit_m
   if (std::abs(rest) < kRounding) rest = 0;
 }
 
+double farthest_points(const SitePointsParams& params) {
+  return std::max(kGroundRings.back(), reach_of(params));
+}
+
 std::uint64_t points_to_read(const SiteWork& work, std::size_t site) {
   if (work.sites[site].outline.polygon.empty()) return 0;
   return plan_view(work.store, column_of_site(work, work.sites[site]), {}).size;

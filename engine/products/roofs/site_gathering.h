@@ -51,6 +51,9 @@ struct AroundPoint {
   PointMembership membership{};
 };
 
+// How far in metres around an outline points of the store may change its building: ground is searched that far.
+double farthest_points(const SitePointsParams& params);
+
 // The number of points around the site, which is the cost of reading it. 0 without an outline.
 std::uint64_t points_to_read(const SiteWork& work, std::size_t site);
 

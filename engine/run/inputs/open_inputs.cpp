@@ -8,6 +8,7 @@
 #include "engine/formats/crs.h"
 #include "engine/pass/pass.h"
 #include "engine/run/inputs/input_crs.h"
+#include "engine/run/inputs/read_edits.h"
 #include "engine/run/inputs/read_stations.h"
 #include "engine/run/inputs/row_stations.h"
 
@@ -91,6 +92,7 @@ RunInputs open_inputs(const RunOptions& options, Progress& progress, RunRecord& 
   }
   inputs.row_stations = row_stations(inputs.readers, inputs.stations,
                                      options.stations.empty() ? StationsFrom::inputs : StationsFrom::file);
+  inputs.edits = read_edits(options.edits);
   if (inputs.crs.unit_assumed) progress.warn("no input says its unit: metres are assumed; --crs EPSG:n says it");
   record.unit_assumed = inputs.crs.unit_assumed;
   return inputs;

@@ -184,6 +184,7 @@ class Reader {
     e.from_deg += insert.from_deg, e.to_deg += insert.from_deg;
     if (e.layer == "0") e.layer = insert.layer;
     e.handle.clear();
+    e.in_block = true;
     if (!insert.finite) e.finite = false;
   }
 

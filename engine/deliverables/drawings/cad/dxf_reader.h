@@ -21,6 +21,7 @@ struct DxfEntity {
   double radius = 0, from_deg = 0, to_deg = 0;  // of arcs and circles
   std::string text;                             // of an INSERT the name of its block
   double scale_x = 1, scale_y = 1;              // of an INSERT; from_deg is its rotation
+  bool in_block = false;                        // it stands in the block of the INSERT before it
   bool finite = true;                           // false: one of its numbers is not finite; it is read as 0
 };
 

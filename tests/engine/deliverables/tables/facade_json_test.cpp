@@ -79,7 +79,7 @@ TEST(FacadeJson, RefusesWhatIsNoFacade) {
   EXPECT_EQ(facade_fault("[]"), "f.json: 'type' is missing");
   EXPECT_EQ(facade_fault(changed(good, "\"version\": 1", "\"version\": 2")), "f.json: no facade of version 1");
   EXPECT_EQ(facade_fault(changed(good, "\"completed\"", "\"guessed\"")),
-            "f.json.elements[0].status: 'guessed' is no status: seen, completed or occluded");
+            "f.json.elements[0].status: 'guessed' is no status: seen, completed, occluded or by hand");
   EXPECT_EQ(facade_fault(changed(good, "\"points\": 512", "\"points\": -1")),
             "f.json.elements[0].points: needs a whole number from 0 on");
   EXPECT_EQ(facade_fault(changed(good, "\"width_m\": 12.5", "\"width_m\": null")),

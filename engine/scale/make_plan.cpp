@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/scale/make_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "engine/error.h"
+#include "engine/formats/file.h"
+#include "engine/pass/index.h"
+#include "engine/pass/input_lattice.h"
+#include "engine/pass/pass.h"
+#include "engine/pass/resident.h"
+#include "engine/products/roofs/cluster_plan.h"
+#include "engine/products/roofs/footprint_outcome.h"
+#include "engine/products/roofs/footprint_plan.h"
+#include "engine/products/roofs/make_roofs.h"
+#include "engine/products/roofs/product.h"
+#include "engine/products/roofs/roof_roles.h"
+#include "engine/report/counted.h"
+#include "engine/run/folder_lock.h"
+#include "engine/run/inputs/input_crs.h"
+#include "engine/run/inputs/open_inputs.h"
+#include "engine/run/memory_budget.h"
+#include "engine/run/run_context.h"
+#include "engine/run/run_request.h"
+#include "engine/scale/plan.h"
+#include "engine/scale/plan_areas.h"
+#include "engine/scale/records.h"
+#include "engine/scale/site_records.h"
+#include "engine/store/flushed.h"
+#include "engine/version.h"
+#include "engine/whole_file.h"
+#include "kernels/core/parallel.h"
+
+namespace ilot {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostAreas = 100'000;  // Choice: plan.json has some 400 bytes for each
+constexpr std::uint64_t kLeastMemory = 96u << 20;
+// Choice: a house of two levels; the estimate of disk follows from it, no result does.
+constexpr std::uint64_t kPartBytesOfSite = 2000;
+
+void check_asked(const PlanOptions& options) {
+  for (const std::string& product : options.run.products) {
+    if (product == "roofs") continue;
+    const char* why = product == "planes"    ? "planes and their outlines are cut at the borders of areas"
+                      : product == "streets" ? "the ground is filled and linked over the borders of areas"
+                                             : "facades are found among planes, which are cut at the borders of areas";
+    throw Error("--products " + product + ": a plan cannot promise the bytes of one run: " + why +
+                    ", and joining them is not built yet; there is: roofs (make the others with ilot run)",
+                ExitCode::usage);
+  }
+  const fs::path& folder = options.run.output;
+  if (fs::exists(folder / kPlanFile))
+    throw Error(folder.string() + ": contains a plan already; give another -o or remove it", ExitCode::usage);
+  if (fs::exists(folder) && !fs::is_directory(folder))
+    throw Error(folder.string() + ": is not a folder", ExitCode::usage);
+  if (!fs::exists(folder)) return;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name != ".store" && name != kSitesFolder && name != kLockFile && !name.starts_with(kPlanFile))
+      throw Error(folder.string() + ": contains something else than an unfinished plan; give another -o",
+                  ExitCode::usage);
+  }
+}
+
+// A task opens a part of the inputs and no footprints, and must come to the same CRS.
+void check_crs(const RunOptions& options, const RunInputs& inputs, const RunRecord& record) {
+  if (!options.crs.empty()) return;
+  for (const InputRecord& input : record.inputs)
+    if (input.crs != record.inputs[0].crs)
+      throw Error(input.path + ": its CRS is " + input.crs + ", that of " + record.inputs[0].path + " is " +
+                      record.inputs[0].crs + "; a plan needs one for all: give --crs EPSG:n",
+                  ExitCode::usage);
+  if (record.inputs[0].crs != crs_name(inputs.crs) && record.inputs[0].crs == "none")
+    throw Error(record.inputs[0].path + ": has no CRS, the footprints have " + crs_name(inputs.crs) +
+                    "; tasks do not read the footprints: give --crs EPSG:n",
+                ExitCode::usage);
+}
+
+std::string sum_of_file(const fs::path& path) {
+  const InputFile file(path);
+  Sha256 sum;
+  std::vector<std::byte> bytes(1u << 20);
+  for (std::uint64_t at = 0; at < file.size();) {
+    stop_if_asked();
+    const std::size_t got = file.read_at(at, bytes);
+    if (got == 0) throw Error(path.string() + ": ended while it was read");
+    sum.update(std::span(bytes).first(got));
+    at += got;
+  }
+  return sum.hex();
+}
+
+// The index of all points, as one run makes it: it decides the lattice, the strays and the corner.
+IndexResult index_all(const RunOptions& options, const RunInputs& inputs, const fs::path& store,
+                      std::uint64_t block_points, PassContext& context) {
+  IndexParams p;
+  for (const int code : options.settings.classes.noise) p.filter.noise.set(static_cast<std::size_t>(code));
+  p.finest_step = options.settings.index.finest_step;
+  p.keep_strays = options.settings.index.keep_strays;
+  p.classes = ClassColumns::written;
+  p.block_points = p.run_points = block_points;
+  InputLattice lattice = common_lattice(inputs.readers, inputs.crs.metres_per_unit, p.finest_step);
+  for (;;) {
+    p.unit = lattice.unit;
+    p.multiple = lattice.multiple;
+    set_lattice(options, inputs, lattice, context);
+    IndexResult index = build_index(inputs.readers, p, store, context);
+    context.corner = index.corner;
+    if (index.lattice == lattice) return index;
+    lattice = index.lattice;
+  }
+}
+
+void freeze_index(const IndexResult& index, const RunInputs& inputs, const PassContext& context, Plan& plan) {
+  plan.lattice = index.lattice;
+  plan.rounding = context.rounding;
+  plan.corner = index.corner;
+  plan.stray_bits = coarse_bits(index.lattice.unit * context.metres_per_unit);
+  plan.strays = index.strays.cells();
+  plan.points = inputs.points;
+  for (std::size_t i = 0; i < kRejections; ++i)
+    if (index.rejected[i] > 0) plan.rejected[kRejectionNames[i]] = index.rejected[i];
+}
+
+std::vector<PlannedSite> find_sites(const RunOptions& options, const IndexResult& index, std::vector<PlannedSite> given,
+                                    const PassContext& context, Progress& progress, RunRecord& record, Plan& plan) {
+  const bool footprints = !options.footprints.empty();
+  const Settings& settings = options.settings;
+  if (footprints) {
+    auto roles = point_roles(settings.classes.building, settings.classes.ground);
+    if (!settings.roofs.trust_classes) roles.fill(PointRole::unclassified);
+    plan.roofs.by_shape = count_of(write_roles(index.store, roles, context), PointRole::building) == 0;
+  } else {
+    plan.roofs.by_shape = make_roof_roles(index.store, settings, context, progress).has_value();
+    given = plan_clusters(index.store, settings.roofs, context, progress, record);
+    plan.roofs.clusters = record.clusters;
+  }
+  if (plan.roofs.by_shape)
+    plan.chosen.push_back({"roofs.trust_classes", std::string("false"),
+                           "no point of classes.building is used; ground and buildings are found by shape"});
+  plan.chosen.insert(plan.chosen.end(), record.chosen.begin(), record.chosen.end());
+  return given;
+}
+
+void write_sites(const fs::path& path, const AreaSites& cut, std::span<const PlannedSite> sites, PlanArea& area) {
+  std::vector<std::size_t> all = cut.own;
+  all.insert(all.end(), cut.neighbours.begin(), cut.neighbours.end());
+  std::sort(all.begin(), all.end());
+  RecordFileWriter file(path, {{"kind", "sites"}});
+  for (const std::size_t i : all)
+    file.add(record_of(NumberedSite{i, std::binary_search(cut.own.begin(), cut.own.end(), i), sites[i]}));
+  area.sites_sum = file.finish();
+}
+
+// What a task of this area will need. Memory: what a run of few threads needs, and the sites of the area.
+void estimate_area(const PlanOptions& options, const PointMap& map, std::uint64_t neighbours, Plan& plan,
+                   PlanArea& area) {
+  constexpr std::uint64_t kBytesOfSiteInMemory = 2000;  // Choice: an outline of some ten corners, its record and map
+  area.points = map.in(area.read);
+  std::uint64_t rows = 0;
+  for (std::uint32_t i = 0; i < plan.inputs.size(); ++i) {
+    if (plan.inputs[i].box.is_empty() || !plan.inputs[i].box.intersects(area.read)) continue;
+    area.inputs.push_back(i);
+    area.input_bytes += plan.inputs[i].record.bytes;
+    rows += plan.inputs[i].record.points;
+  }
+  const ProductCost& cost = roofs_product().cost;
+  constexpr double kMicroseconds = 1e-6, kReading = 0.5;  // as in run_estimate.cpp, for each row that is decoded
+  area.processor_seconds =
+      kMicroseconds * (static_cast<double>(rows) * kReading + static_cast<double>(area.points) * cost.microseconds);
+  area.memory_bytes = kLeastMemory + (area.sites + neighbours) * kBytesOfSiteInMemory;
+  area.part_bytes = area.sites * kPartBytesOfSite;
+  static_cast<void>(options);
+}
+
+void cut(const PlanOptions& options, const IndexResult& index, std::span<const PlannedSite> sites,
+         const PassContext& context, const fs::path& folder, Plan& plan) {
+  const PointMap map = map_points(index.store, plan.inputs.size(), context);
+  for (std::size_t i = 0; i < plan.inputs.size(); ++i) plan.inputs[i].box = map.inputs[i];
+  SitePointsParams points;
+  points.margin = plan.settings.roofs.margin;
+  const double roles = plan.roofs.by_shape ? reach_of_found_roles(plan.settings) : 0;
+  plan.halo = farthest_points(points) + roles;
+  plan.halo_why = fmt::format("ground is searched up to {:.0f} m around an outline", farthest_points(points));
+  if (roles > 0)
+    plan.halo_why +=
+        fmt::format("; what is ground and building is found by shape, from points up to {:.1f} m away", roles);
+  const double step = index.store.unit() * context.metres_per_unit;
+  plan.area_size = options.area_size > 0 ? options.area_size : suitable_area_size(map, step, plan.halo);
+  const std::vector<AreaSites> areas = cut_areas(sites, step, {plan.area_size, plan.halo, reach_of(points)});
+  if (areas.size() > kMostAreas)
+    throw Error("--area-size: gives " + grouped(areas.size()) + " areas, at most " + grouped(kMostAreas) +
+                    " are possible; give a larger one",
+                ExitCode::usage);
+  fs::remove_all(folder / kSitesFolder);
+  fs::create_directories(folder / kSitesFolder);
+  for (const AreaSites& a : areas) {
+    plan.areas.push_back(a.area);
+    PlanArea& area = plan.areas.back();
+    estimate_area(options, map, a.neighbours.size(), plan, area);
+    write_sites(folder / kSitesFolder / std::to_string(plan.areas.size()), a, sites, area);
+  }
+}
+
+Plan begun(const PlanOptions& options, const RunInputs& inputs, const RunRecord& record) {
+  Plan plan;
+  plan.version = version();
+  plan.git_hash = git_hash();
+  plan.products = options.run.products;
+  plan.settings = options.run.settings;
+  plan.crs_option = options.run.crs;
+  plan.dialect = options.run.dialect;
+  plan.crs = inputs.crs;
+  for (const InputRecord& input : record.inputs) {
+    PlanInput& i = plan.inputs.emplace_back();
+    i.record = input;
+    i.record.path = fs::absolute(input.path).lexically_normal().string();
+    i.ends = ends_of(input.path);
+  }
+  parallel_for(plan.inputs.size(), [&](std::size_t i) { plan.inputs[i].sha256 = sum_of_file(record.inputs[i].path); });
+  return plan;
+}
+
+// Everything but the index was checked before this: from here on the folder is written.
+void fill_folder(const PlanOptions& options, const RunInputs& inputs, std::vector<PlannedSite> given,
+                 Progress& progress, RunRecord& record) {
+  const RunOptions& run = options.run;
+  const fs::path folder = run.output, store = run.store.empty() ? folder / ".store" : run.store;
+  Plan plan = begun(options, inputs, record);
+  fs::remove_all(store);
+  fs::create_directories(store);
+  open_flushed(store);
+  const std::uint64_t block_points = affordable_block_points(run, thread_count());
+  PassContext context = pass_context(run, inputs, block_points, progress);
+  progress.begin_stage("index", inputs.points);
+  const IndexResult index = index_all(run, inputs, store, block_points, context);
+  progress.end_stage();
+  if (index.store.points() == 0) throw Error("none of the points of the inputs can be used; ilot info says why");
+  freeze_index(index, inputs, context, plan);
+  const std::vector<PlannedSite> sites = find_sites(run, index, std::move(given), context, progress, record, plan);
+  {
+    const RoofSetup setup(index.store, sites, run.settings, inputs.crs, context);
+    plan.roofs.frame = {setup.file.city_json.origin, setup.file.city_json.extent, setup.file.further};
+    if (record.footprints) record.footprints->overlaps = overlaps_of(sites, setup.map);
+  }
+  plan.roofs.footprints = record.footprints;
+  plan.roofs.extent = extent_of_points(index.store, context);
+  plan.roofs.sites = sites.size();
+  plan.skipped = record.skipped;
+  plan.warnings = record.warnings;
+  cut(options, index, sites, context, folder, plan);
+  fs::remove_all(store);
+  fs::create_directories(folder / kPartsFolder);
+  write_whole_file(folder / kPlanFile, plan_text(plan));
+}
+
+}  // namespace
+
+int make_plan(const PlanOptions& options, Progress& progress) {
+  int code = 0;
+  const RunOptions& run = options.run;
+  with_threads(affordable_threads(run.memory_bytes, run.threads > 0 ? run.threads : hardware_threads()), [&] {
+    progress.run_start("ilot plan");
+    check_asked(options);
+    const FolderLock lock(run.output, "or give another -o");
+    RunRecord record;
+    const RunInputs inputs = open_inputs(run, progress, record);
+    check_crs(run, inputs, record);
+    std::vector<PlannedSite> given;
+    if (!run.footprints.empty()) given = plan_footprints(run.footprints, run.id_field, inputs.crs, progress, record);
+    set_memory_limit(memory_to_fill(run));
+    fill_folder(options, inputs, std::move(given), progress, record);
+    progress.run_done(plan_estimate(run.output));
+    code = static_cast<int>(record.skipped.empty() ? ExitCode::ok : ExitCode::incomplete);
+  });
+  return code;
+}
+
+std::string plan_estimate(const fs::path& folder) {
+  const Plan plan = read_plan(folder);
+  std::uint64_t points = 0, bytes = 0, parts = 0, memory = 0, most = 0;
+  double seconds = 0;
+  for (const PlanArea& a : plan.areas) {
+    points += a.points;
+    bytes += a.input_bytes;
+    parts += a.part_bytes;
+    seconds += a.processor_seconds;
+    memory = std::max(memory, a.memory_bytes);
+    most = std::max(most, a.points);
+  }
+  const auto mebibytes = [](std::uint64_t b) { return grouped((b >> 20) + 1) + " MiB"; };
+  std::string text = counted(plan.areas.size(), "area") + " of " + fmt::format("{:.0f}", plan.area_size) + " m, " +
+                     counted(plan.roofs.sites, "building") + ", halo " + fmt::format("{:.1f}", plan.halo) + " m (" +
+                     plan.halo_why + ")\n";
+  text += "tasks    " + grouped(points) + " of " + grouped(plan.points) + " points to work on, some several times; " +
+          grouped(most) + " in the largest; about " + fmt::format("{:.0f}", std::ceil(seconds)) +
+          " s of processor time\n";
+  text += "         " + mebibytes(bytes) + " of inputs to open, --memory " + std::to_string((memory >> 20) + 1) +
+          "M at least, about " + mebibytes(parts) + " of parts\n";
+  return text + "next     ilot task " + folder.string() + " N for N from 1 to " + std::to_string(plan.areas.size()) +
+         ", then ilot merge " + folder.string() + " -o OUT; ilot plan " + folder.string() +
+         " --as make (slurm, snakemake, dask, k8s) writes what runs them";
+}
+
+}  // namespace ilot

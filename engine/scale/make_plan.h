@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "engine/report/progress.h"
+#include "engine/run/options.h"
+
+namespace ilot {
+
+// What `ilot plan` is asked for. `run` has the inputs, products, settings, footprints, CRS, memory and threads of one
+// run; its output is the folder of the plan.
+struct PlanOptions {
+  RunOptions run;
+  double area_size = 0;  // metres; 0: chosen from the points
+};
+
+// Reads all inputs once, measures what depends on all points, and writes the folder of a plan: plan.json, last, and
+// sites/. Throws Error, with ExitCode::usage for a product whose areas would not give the bytes of one run. Returns the
+// exit code: ok, or incomplete where an input was skipped.
+int make_plan(const PlanOptions& options, Progress& progress);
+
+// What the tasks of a plan need in all, and the largest of them: lines for people.
+std::string plan_estimate(const std::filesystem::path& folder);
+
+}  // namespace ilot

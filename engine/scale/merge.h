@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <filesystem>
+
+#include "engine/report/progress.h"
+
+namespace ilot {
+
+struct MergeOptions {
+  std::filesystem::path plan, output;
+  bool allow_missing = false;  // areas without a part are holes, which run.json lists
+  bool report = true;          // write report.html
+};
+
+// Makes one result of the parts of a plan: the files that one run would have written, with ids in its order. Throws
+// Error, with ExitCode::usage where parts are missing, of another plan, or damaged. Returns ok or incomplete.
+int merge_parts(const MergeOptions& options, Progress& progress);
+
+}  // namespace ilot

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cuts the sites of a run into areas with one owner each.
+#pragma once
+#include <cstdint>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "engine/pass/context.h"
+#include "engine/products/roofs/sites/site_plan.h"
+#include "engine/scale/plan.h"
+#include "engine/store/store.h"
+
+namespace ilot {
+
+// How many points of a store lie in squares of the plan, and where the points of each input are.
+struct PointMap {
+  int bits = 0;  // the side of a square is 2^bits lattice steps
+  std::map<std::pair<std::int64_t, std::int64_t>, std::uint64_t> squares;  // row, column
+  std::vector<IndexBox> inputs;                                            // box of the points of each input
+
+  std::uint64_t in(const IndexBox& box) const;  // points in all squares that meet the box
+};
+PointMap map_points(const Store& store, std::size_t inputs, const PassContext& context);
+
+// The side of areas in metres that suits the points: few enough points for one task, and so large that halos are a
+// small part.
+double suitable_area_size(const PointMap& map, double step_metres, double halo);
+
+// The sites of an area, by their numbers: its own, ascending, and the neighbours whose outlines matter to them.
+struct AreaSites {
+  PlanArea area;
+  std::vector<std::size_t> own, neighbours;
+};
+
+// What an area needs to be cut, in metres.
+struct AreaParams {
+  double size = 0;   // side of the squares
+  double halo = 0;   // of points around the outlines of its own sites
+  double reach = 0;  // of outlines around them
+};
+
+// Returns the areas that own a site, ordered by row and column. A site without an outline belongs to the first. The
+// result is a function of the sites alone; `step_metres` is the lattice step.
+std::vector<AreaSites> cut_areas(std::span<const PlannedSite> sites, double step_metres, const AreaParams& params);
+
+}  // namespace ilot

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/scale/run_task.h"
+
+#include <algorithm>
+#include <new>
+
+#include "engine/error.h"
+#include "engine/pass/index.h"
+#include "engine/pass/pass.h"
+#include "engine/pass/resident.h"
+#include "engine/products/roofs/make_roofs.h"
+#include "engine/products/roofs/roof_roles.h"
+#include "engine/report/counted.h"
+#include "engine/run/inputs/open_inputs.h"
+#include "engine/run/memory_budget.h"
+#include "engine/run/run_context.h"
+#include "engine/run/run_request.h"
+#include "engine/scale/part_file.h"
+#include "engine/scale/plan.h"
+#include "engine/scale/records.h"
+#include "engine/scale/site_records.h"
+#include "engine/scale/work_folder.h"
+#include "engine/store/flushed.h"
+#include "kernels/core/parallel.h"
+
+namespace ilot {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The sites of an area and the outlines around them, in the order of all sites.
+struct LocalSites {
+  std::vector<PlannedSite> sites;
+  std::vector<std::uint64_t> numbers;
+  std::vector<std::size_t> own;  // places in the lists above
+};
+
+LocalSites read_sites(const fs::path& path, const PlanArea& area) {
+  LocalSites local;
+  RecordFileReader file(path);
+  try {
+    while (const auto record = file.next()) {
+      NumberedSite n = numbered_site(*record);
+      if (n.own) local.own.push_back(local.sites.size());
+      local.numbers.push_back(n.number);
+      local.sites.push_back(std::move(n.site));
+    }
+  } catch (const nlohmann::json::exception&) {
+    throw Error(path.string() + ": is damaged; make the plan again");
+  }
+  if (file.sum() != area.sites_sum) throw Error(path.string() + ": belongs to another plan; make the plan again");
+  return local;
+}
+
+// Throws Error where an input is not the one that the plan was made from.
+void check_inputs(const Plan& plan, const PlanArea& area) {
+  for (const std::uint32_t i : area.inputs) {
+    const PlanInput& input = plan.inputs.at(i);
+    const fs::path path = input.record.path;
+    std::error_code code;
+    const std::uint64_t bytes = fs::file_size(path, code);
+    if (code) throw Error(path.string() + ": the plan needs this input, and it is not there; put it back");
+    if (bytes != input.record.bytes || ends_of(path) != input.ends)
+      throw Error(path.string() + ": was changed after the plan was made; make the plan again");
+  }
+}
+
+RunOptions options_of(const TaskOptions& task, const Plan& plan, const PlanArea& area) {
+  RunOptions options;
+  for (const std::uint32_t i : area.inputs) options.inputs.emplace_back(plan.inputs[i].record.path);
+  options.products = plan.products;
+  options.settings = plan.settings;
+  options.crs = plan.crs_option;
+  options.dialect = plan.dialect;
+  options.memory_bytes = task.memory_bytes;
+  options.threads = task.threads;
+  options.clouds = false;
+  return options;
+}
+
+RunInputs open_needed(const RunOptions& options, const Plan& plan) {
+  if (options.inputs.empty()) {
+    RunInputs none;
+    none.crs = plan.crs;
+    return none;
+  }
+  Progress silent;  // the plan has told what there is to say of the inputs
+  RunRecord record;
+  RunInputs inputs = open_inputs(options, silent, record);
+  if (inputs.readers.size() != options.inputs.size())
+    throw Error(record.skipped.empty() ? "an input cannot be read" : record.skipped.front().reason);
+  if (inputs.crs.metres_per_unit != plan.crs.metres_per_unit)
+    throw Error(options.inputs[0].string() + ": gives another CRS alone than with the others; make the plan with --crs",
+                ExitCode::usage);
+  return inputs;
+}
+
+Store index_of_area(const RunOptions& options, const RunInputs& inputs, const Plan& plan, const PlanArea& area,
+                    const fs::path& folder, const PassContext& context) {
+  if (inputs.readers.empty() || area.read.is_empty()) return {folder, plan.lattice.unit, {}};
+  IndexParams p;
+  p.unit = plan.lattice.unit;
+  p.multiple = plan.lattice.multiple;
+  for (const int code : options.settings.classes.noise) p.filter.noise.set(static_cast<std::size_t>(code));
+  p.filter.keep = area.read;
+  p.finest_step = options.settings.index.finest_step;
+  p.keep_strays = options.settings.index.keep_strays;
+  p.strays = Strays(plan.stray_bits, plan.strays);
+  p.classes = ClassColumns::written;
+  p.block_points = p.run_points = affordable_block_points(options, thread_count());
+  IndexResult index = build_index(inputs.readers, p, folder, context);
+  if (!(index.lattice == plan.lattice))
+    throw Error("the inputs of this area need another lattice than the plan has; make the plan again");
+  return std::move(index.store);
+}
+
+PassContext context_of(const RunOptions& options, const RunInputs& inputs, const Plan& plan, Progress& progress) {
+  PassContext context = pass_context(options, inputs, affordable_block_points(options, thread_count()), progress);
+  context.metres_per_unit = plan.crs.metres_per_unit;
+  context.rounding = plan.rounding;
+  context.corner = plan.corner;
+  return context;
+}
+
+bool is_outside(const Plan& plan, const PlannedSite& site) {
+  return !site.outline.polygon.empty() && !site.outline.box.meets(plan.roofs.extent);
+}
+
+// Makes the buildings of the area and returns what the end of the part says.
+PartSummary make_part(const TaskOptions& task, const Plan& plan, const PlanArea& area, const WorkFolder& work,
+                      const fs::path& part, Progress& progress) {
+  const RunOptions options = options_of(task, plan, area);
+  const LocalSites local = read_sites(task.plan / kSitesFolder / std::to_string(task.area), area);
+  const RunInputs inputs = open_needed(options, plan);
+  set_memory_limit(memory_to_fill(options));
+  const fs::path folder = work.path() / "store";
+  fs::create_directories(folder);
+  open_flushed(folder);
+  const PassContext context = context_of(options, inputs, plan, progress);
+  progress.begin_stage("index", inputs.points);
+  const Store store = index_of_area(options, inputs, plan, area, folder, context);
+  progress.end_stage();
+  if (store.points() > 0) make_roof_roles(store, plan.settings, context, progress, plan.roofs.by_shape);
+  const RoofSetup setup(store, local.sites, plan.settings, plan.crs, context);
+  std::vector<std::size_t> sample;
+  if (plan.roofs.footprints) {
+    const std::vector<std::size_t> of_all = sample_of_sites(plan.roofs.sites);
+    for (std::size_t n = 0; n < local.own.size(); ++n)
+      if (std::ranges::binary_search(of_all, local.numbers[local.own[n]])) sample.push_back(n);
+  }
+  RoofLabels labels(store);
+  RecordFileWriter file(part, part_head(plan.hash, task.area));
+  PartSummary summary;
+  const ShiftCounts shifts =
+      model_buildings(setup, local.own, sample, context, progress, labels, [&](std::size_t n, SiteResult& result) {
+        std::uint64_t labelled = 0;
+        for (const LabelRun& run : result.labels) labelled += run.count;
+        const bool outside = is_outside(plan, local.sites[local.own[n]]);
+        summary.without_model += plan.roofs.footprints && result.status == RoofStatus::footprint_only && !outside;
+        file.add(record_of(BuiltSite{local.numbers[local.own[n]], labelled, outside, std::move(result)}));
+      });
+  progress.end_stage();
+  file.add(summary_record(summary, shifts));
+  file.finish();
+  return summary;
+}
+
+int exit_code(const PartSummary& summary) {
+  return static_cast<int>(summary.without_model == 0 ? ExitCode::ok : ExitCode::incomplete);
+}
+
+int work_on(const TaskOptions& options, const Plan& plan, Progress& progress) {
+  const PlanArea& area = plan.areas[options.area - 1];
+  const fs::path parts = options.plan / kPartsFolder, part = parts / std::to_string(options.area);
+  PartSummary summary;
+  const PartState state = part_state(part, plan.hash, options.area, summary);
+  if (state == PartState::whole) {
+    progress.note(part.string() + ": is done, nothing is left to do");
+    return exit_code(summary);
+  }
+  if (state != PartState::missing)
+    progress.note(part.string() + (state == PartState::stale ? ": belongs to another plan" : ": is damaged") +
+                  " and is made again");
+  check_inputs(plan, area);
+  const std::string beginning = "." + std::to_string(options.area) + "-";
+  const WorkFolder beside(parts, beginning);
+  std::optional<WorkFolder> elsewhere;
+  if (!options.work.empty()) elsewhere.emplace(options.work, "ilot-task" + beginning);
+  const fs::path made = beside.path() / "part";
+  summary = make_part(options, plan, area, elsewhere ? *elsewhere : beside, made, progress);
+  check_inputs(plan, area);  // a change while the task read
+  fs::rename(made, part);    // a twin's file has the same bytes
+  progress.run_done(part.string() + ": " + counted(area.sites, "building") +
+                    (summary.without_model == 0 ? "" : ", " + grouped(summary.without_model) + " without a model"));
+  return exit_code(summary);
+}
+
+// Where the inputs are as the plan says, their points were read once already: what failed was the machine.
+[[noreturn]] void throw_after(const std::string& fault, const Plan& plan, std::uint64_t area) {
+  check_inputs(plan, plan.areas[area - 1]);
+  throw Error(fault + " (exit 75: try the task again)", ExitCode::try_again);
+}
+
+}  // namespace
+
+int run_task(const TaskOptions& options, Progress& progress) {
+  const Plan plan = read_plan(options.plan);
+  if (options.area < 1 || options.area > plan.areas.size())
+    throw Error(
+        "task " + std::to_string(options.area) + ": the plan has areas 1 to " + std::to_string(plan.areas.size()),
+        ExitCode::usage);
+  progress.run_start("ilot task");
+  const int wanted = options.threads > 0 ? options.threads : hardware_threads();
+  int code = 0;
+  try {
+    with_threads(affordable_threads(options.memory_bytes, wanted), [&] { code = work_on(options, plan, progress); });
+  } catch (const Error& fault) {
+    if (fault.code() == ExitCode::usage) throw;
+    throw_after(fault.what(), plan, options.area);
+  } catch (const fs::filesystem_error& fault) {
+    throw_after(fault.what(), plan, options.area);
+  } catch (const std::bad_alloc&) {
+    throw_after("out of memory", plan, options.area);
+  }
+  return code;
+}
+
+}  // namespace ilot

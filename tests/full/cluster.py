@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Dask (scheduler and two workers on the loopback), Snakemake and Slurm's array script run a plan; each result is that of one
+run. The Slurm script runs without daemons, with SLURM_ARRAY_TASK_ID set. Debian: python3-distributed, snakemake."""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+EXE = os.environ["ILOT_EXE"]
+PORT = "18789"
+
+
+def run(*command, code=(0,), **options):
+    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, timeout=600, **options)
+    if done.returncode not in code:
+        sys.exit(f"{' '.join(map(str, command))}: exit {done.returncode}\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def hash_of(out):
+    return json.loads((out / "run.json").read_text())["result_hash"]
+
+
+def script(plan, kind, path):
+    for part in (plan / "parts").iterdir():
+        part.unlink()
+    path.write_text(run(EXE, "plan", plan, "--as", kind))
+    return path
+
+
+def with_dask(folder, plan, areas):
+    program = script(plan, "dask", folder / "run_plan.py")
+    quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "cwd": folder}
+    both = [subprocess.Popen(["dask-scheduler", "--host", "127.0.0.1", "--port", PORT, "--no-dashboard"], **quiet)]
+    try:
+        time.sleep(3)
+        both.append(subprocess.Popen(["dask-worker", f"tcp://127.0.0.1:{PORT}", "--nworkers", "2", "--nthreads", "1",
+                                      "--no-dashboard"], **quiet))
+        run("/usr/bin/python3", program, f"tcp://127.0.0.1:{PORT}", folder / "dask", cwd=folder)
+    finally:
+        for process in reversed(both):
+            process.terminate()
+            process.wait()
+    return folder / "dask"
+
+
+def with_snakemake(folder, plan, areas):
+    program = script(plan, "snakemake", folder / "Snakefile")
+    run("snakemake", "--cores", "2", "--retries", "3", "--snakefile", program, "--config", f"out={folder}/snakemake",
+        f"ilot={EXE}", cwd=folder)
+    return folder / "snakemake"
+
+
+def with_slurm_script(folder, plan, areas):
+    program = script(plan, "slurm", folder / "plan.sh")
+    for number in range(1, areas + 1):
+        run("sh", program, env={**os.environ, "SLURM_ARRAY_TASK_ID": str(number)})
+    run(EXE, "merge", plan, "-o", folder / "slurm")
+    return folder / "slurm"
+
+
+def main():
+    missing = [name for name in ("dask-scheduler", "dask-worker", "snakemake") if not shutil.which(name)]
+    if missing:
+        print(f"not installed: {', '.join(missing)}")
+        sys.exit(77)
+    os.environ["ILOT"] = EXE
+    with tempfile.TemporaryDirectory(prefix="ilot-cluster-") as name:
+        folder = pathlib.Path(name)
+        run(EXE, "scan", "district", "-o", folder / "d.laz", "--points", "200000", "-q")
+        run(EXE, "run", folder / "d.laz", "-o", folder / "one", "--products", "roofs", "--no-clouds", "--no-report")
+        plan = folder / "plan"
+        run(EXE, "plan", folder / "d.laz", "-o", plan, "--area-size", "100")
+        areas = len(json.loads((plan / "plan.json").read_text())["areas"])
+        for work in (with_dask, with_snakemake, with_slurm_script):
+            same = hash_of(work(folder, plan, areas)) == hash_of(folder / "one")
+            print(f"{work.__name__}: {areas} areas, {'the bytes of one run' if same else 'ANOTHER RESULT'}", flush=True)
+            if not same:
+                sys.exit(1)
+
+
+if __name__ == "__main__":
+    main()

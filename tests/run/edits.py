@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Corrections by hand survive the next run: run, correct, run again; the correction stands and all else is the same."""
+import csv
+import io
+import json
+import shutil
+
+from support import RunTest, ilot, main
+
+
+def files_of(out):
+    return {p.relative_to(out): p.read_bytes() for p in sorted(out.rglob("*")) if p.is_file() and p.name != "run.json"}
+
+
+class Facades(RunTest):
+    def setUp(self):
+        super().setUp()
+        path, self.asked = self.facade(150000)
+        self.cloud = path
+        self.out, _ = self.work(path, *self.asked)
+        self.plan = json.loads((self.out / "facades/facade-001.json").read_text())
+        self.windows = [e for e in self.plan["elements"] if e["kind"] == "window" and len(e["ring"]) == 4]
+
+    def table(self, name, *rows):
+        columns = sorted({key for row in rows for key in row})
+        text = io.StringIO()
+        writer = csv.DictWriter(text, columns)
+        writer.writeheader()
+        writer.writerows(rows)
+        path = self.folder / name
+        path.write_text(text.getvalue())
+        return path
+
+    def row(self, edit, element, along=0.0, up=0.0, **more):
+        """An edit of an element; with along and up, the place to which it is moved, in metres."""
+        low, high = element["ring"][0], element["ring"][2]
+        row = {"product": "facades", "edit": edit, "kind": element["kind"], **more}
+        row.update({f"{axis}{n}": corner[k] for n, corner in ((1, low), (2, high)) for k, axis in enumerate("xyz")})
+        if edit == "moved":
+            right = self.plan["frame"]["right"]
+            for n, corner in ((1, low), (2, high)):
+                for k, axis in enumerate("xyz"):
+                    row[f"to_{axis}{n}"] = corner[k] + along * right[k] + (up if axis == "z" else 0)
+        return row
+
+    def place(self, element, plan=None):
+        frame = (plan or self.plan)["frame"]
+        return sorted((sum((p[k] - self.plan["frame"]["origin"][k]) * frame["right"][k] for k in range(3)), p[2])
+                      for p in element["ring"])
+
+    def same_but_for(self, plan, changed):
+        """Asserts that all elements but these of both plans are the same, but for their ids and for what is counted around
+        them: the points of the wall are others when its openings are."""
+        counted = ("id", "points", "rms_m", "covered_share", "occluded_share", "faces")
+
+        def drawn(value):
+            if isinstance(value, dict):
+                return {k: drawn(v) for k, v in value.items() if k not in counted}
+            return [drawn(v) for v in value] if isinstance(value, list) else value
+
+        def others(elements, left_out):
+            return [drawn(e) for e in elements if e["id"] not in left_out]
+        before, after = changed
+        self.assertEqual(others(self.plan["elements"], before), others(plan["elements"], after))
+
+    def test_corrections_stand_and_all_else_is_the_same(self):
+        first, second, third = self.windows[:3]
+        edits = self.table("edits.csv", self.row("moved", first, along=0.25), self.row("deleted", second),
+                           self.row("kind", third, to_kind="door"))
+        out, run = self.work(self.cloud, *self.asked, "--edits", edits)
+        self.assertEqual(run["edits"], {"given": 3, "made": 3, "repeated": 0, "without_partner": 0, "outside": 0,
+                                        "not_asked": 0})
+        plan = json.loads((out / "facades/facade-001.json").read_text())
+        hand = [e for e in plan["elements"] if e["status"] == "by hand"]
+        self.assertEqual([e["reason"].split(";")[0] for e in hand], ["moved by hand", "kind set by hand"])
+        moved, door = hand
+        for (u0, v0), (u1, v1) in zip(self.place(first), self.place(moved, plan)):
+            self.assertAlmostEqual(u0 + 0.25, u1, 6)
+            self.assertAlmostEqual(v0, v1, 6)
+        self.assertEqual(door["kind"], "door")
+        self.assertEqual(self.place(third), self.place(door))
+        self.assertEqual([e["error_m"] is None for e in moved["edges"]], [False, True, False, True])
+        self.assertIsNone(moved["width_error_m"])
+        self.same_but_for(plan, ([first["id"], second["id"], third["id"]], [moved["id"], door["id"]]))
+        rows = list(csv.DictReader((out / "facades/facade-001.csv").open()))
+        by_hand = [r for r in rows if r["status"] == "by hand"]
+        self.assertEqual([r["edge_error_m"] == "by hand" for r in by_hand], [True, False])
+        dxf = (out / "facades/facade-001.dxf").read_text()
+        self.assertEqual(dxf.count("\nby hand\n"), 3)  # STATUS of both, ERROR of one
+        again, _ = self.work(self.cloud, *self.asked, "--edits", edits, "--threads", "1", "--memory", "256M")
+        self.assertEqual(files_of(again), files_of(out))
+
+    def test_no_edits_change_nothing(self):
+        empty = self.table("empty.csv", {"product": "", "edit": ""})
+        out, run = self.work(self.cloud, *self.asked, "--edits", empty)
+        self.assertEqual(files_of(out), files_of(self.out))
+        self.assertEqual(run["edits"]["given"], 0)
+
+    def test_from_a_corrected_drawing(self):
+        ours = self.out / "facades/facade-001.dxf"
+        text = ours.read_text()
+        theirs = self.folder / "theirs.dxf"
+        tags = text.split("\n")
+        at = next(i for i in range(0, len(tags) - 1, 2) if tags[i].strip() == "0" and tags[i + 1] == "INSERT")
+        x = next(i for i in range(at + 2, len(tags), 2) if tags[i].strip() == "10")
+        tags[x + 1] = repr(float(tags[x + 1]) + 0.1)
+        theirs.write_text("\n".join(tags))
+        table = self.folder / "from.csv"
+        done = ilot("edits", "--from-drawing", ours, theirs, "-o", table)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("1 moved;", done.stdout)
+        out, run = self.work(self.cloud, *self.asked, "--edits", table)
+        self.assertEqual(run["edits"]["made"], 1)
+        check = ilot("evaluate", "--drawing", out / "facades/facade-001.dxf", "--corrected", theirs, "--json")
+        layers = {layer["layer"]: layer for layer in json.loads(check.stdout)["drawing"]}
+        self.assertEqual((layers["all"]["moved"], layers["all"]["removed"]), (0, 0), "the run draws what was corrected")
+
+    def test_what_finds_no_partner_is_told(self):
+        window = self.windows[0]
+        far = self.row("deleted", window)
+        for n in (1, 2):
+            far[f"z{n}"] += 500
+        edits = self.table("edits.csv", far, self.row("moved", window, along=0.1))
+        out, run = self.work(self.cloud, *self.asked, "--edits", edits, code=3)
+        self.assertEqual((run["edits"]["made"], run["edits"]["without_partner"]), (1, 1))
+        self.assertEqual([(s["what"], s["where"]) for s in run["skipped"]], [("edit", f"{edits}:2")])
+        _, other = self.work(self.cloud, "--products", "planes", "--edits", edits)
+        self.assertEqual(other["edits"]["not_asked"], 2)
+        self.assertTrue(any("2 edits not used" in w for w in other["warnings"]))
+
+    def test_contradictions_and_faults_end_before_anything_is_made(self):
+        window = self.windows[0]
+        a = self.table("a.csv", self.row("moved", window, along=0.1))
+        b = self.table("b.csv", self.row("deleted", window))
+        out = self.folder / "refused"
+        done = ilot("run", self.cloud, "-o", out, *self.asked, "--edits", a, "--edits", b, "-q")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(f"{b}:2: contradicts {a}:2", done.stderr)
+        self.assertEqual(len(done.stderr.splitlines()), 1)
+        self.assertFalse(out.exists())
+
+    def test_resume_notices_changed_edits(self):
+        edits = self.table("edits.csv", self.row("moved", self.windows[0], along=0.1))
+        out, _ = self.work(self.cloud, *self.asked, "--edits", edits)
+        self.work(self.cloud, *self.asked, "--edits", edits, "--resume", out=out)
+        shutil.copy(self.table("other.csv", self.row("moved", self.windows[0], along=0.2)), edits)
+        done = ilot("run", self.cloud, "-o", out, *self.asked, "--edits", edits, "--resume", "-q")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("edits", done.stderr)
+
+
+if __name__ == "__main__":
+    main(synthetic=[Facades])
