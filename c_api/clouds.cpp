@@ -13,6 +13,7 @@ struct ilot_cloud {
 
 struct ilot_writer {
   ilot::CloudWriter writer;
+  bool open = true;  // neither finished nor after a fault
 };
 
 namespace ilot::c {
@@ -62,6 +63,10 @@ void need_places(const ilot_columns* columns) {
   need(columns->x, "x");
   need(columns->y, "y");
   need(columns->z, "z");
+}
+
+void need_open(const ilot_writer& writer) {
+  if (!writer.open) throw Error("writer: it was finished, or a write failed: open another one", ExitCode::usage);
 }
 
 // A piece of the caller's array; none stays empty, which counts as zeros.
@@ -175,7 +180,10 @@ ilot_status ilot_writer_write(ilot_writer* writer, size_t points, const ilot_col
   return guarded([&] {
     need(writer, "writer");
     need_places(columns);
+    need_open(*writer);
+    writer->open = false;  // a fault leaves it so
     write_columns(writer->writer, points, *columns);
+    writer->open = true;
     return ILOT_OK;
   });
 }
@@ -183,6 +191,8 @@ ilot_status ilot_writer_write(ilot_writer* writer, size_t points, const ilot_col
 ilot_status ilot_writer_finish(ilot_writer* writer) {
   return guarded([&] {
     need(writer, "writer");
+    need_open(*writer);
+    writer->open = false;
     writer->writer.finish();
     return ILOT_OK;
   });

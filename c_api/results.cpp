@@ -81,32 +81,39 @@ Json building_json(const BuildingModel& m) {
   return {{"id", m.id}, {"attributes", attributes}, {"levels", list_of(m.levels, level_json)}};
 }
 
-constexpr const char* kStatus[] = {"seen", "completed", "occluded"};
+constexpr const char* kStatus[] = {"seen", "completed", "occluded", "by hand"};
 
 const char* status_text(DrawnStatus status) {
   return kStatus[static_cast<std::size_t>(status)];
 }
 
+// What a person drew has no stated error.
+Json error_json(double error_m, DrawnStatus status) {
+  return status == DrawnStatus::by_hand && error_m == 0 ? Json(nullptr) : Json(error_m);
+}
+
 Json element_json(const FacadeElement& e) {
-  return {{"id", e.id},
-          {"kind", e.kind},
-          {"opening", e.opening},
-          {"family", e.family},
-          {"row", e.row},
-          {"column", e.column},
-          {"status", status_text(e.status)},
-          {"reason", e.reason},
-          {"ring", ring_json(e.ring)},
-          {"edges", list_of(e.edges,
-                            [](const FacadeEdge& edge) {
-                              return Json{{"status", status_text(edge.status)}, {"error_m", edge.error_m}};
-                            })},
-          {"width_m", e.width_m},
-          {"height_m", e.height_m},
-          {"depth_m", e.depth_m},
-          {"width_error_m", e.width_error_m},
-          {"height_error_m", e.height_error_m},
-          {"points", e.points}};
+  return {
+      {"id", e.id},
+      {"kind", e.kind},
+      {"opening", e.opening},
+      {"family", e.family},
+      {"row", e.row},
+      {"column", e.column},
+      {"status", status_text(e.status)},
+      {"reason", e.reason},
+      {"ring", ring_json(e.ring)},
+      {"edges",
+       list_of(e.edges,
+               [](const FacadeEdge& edge) {
+                 return Json{{"status", status_text(edge.status)}, {"error_m", error_json(edge.error_m, edge.status)}};
+               })},
+      {"width_m", e.width_m},
+      {"height_m", e.height_m},
+      {"depth_m", e.depth_m},
+      {"width_error_m", error_json(e.width_error_m, e.status)},
+      {"height_error_m", error_json(e.height_error_m, e.status)},
+      {"points", e.points}};
 }
 
 Json facade_json(const Facade& f) {

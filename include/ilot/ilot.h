@@ -81,7 +81,8 @@ typedef struct ilot_writer ilot_writer;
  * of `scale` from the offset, which is near the points. colour: not 0 = red, green and blue are written. */
 ILOT_PUBLIC ilot_status ilot_writer_open(const char* path, const char* crs, double scale, const double offset[3],
                                          int32_t colour, ilot_writer** writer);
-/* Appends points. Of attributes NULL is all zeros. */
+/* Appends points. Of attributes NULL is all zeros. After a fault, or after ilot_writer_finish(), a writer takes no
+ * more. */
 ILOT_PUBLIC ilot_status ilot_writer_write(ilot_writer* writer, size_t points, const ilot_columns* columns);
 /* The file appears whole under its name. */
 ILOT_PUBLIC ilot_status ilot_writer_finish(ilot_writer* writer);

@@ -75,7 +75,7 @@ def _function(name: str, function: Any) -> Any:
 
 def run(inputs: Path | Iterable[Path], output: Path, *, products: str | Iterable[str] = ("planes",),
         settings: dict[str, Any] | None = None, memory: int | str = "2G", threads: int = 0, footprints: Path = "",
-        id_field: str = "", stations: Path = "", train: Path = "", edits: Iterable[Path] = (),
+        id_field: str = "", stations: Path = "", train: Path = "", edits: Path | Iterable[Path] = (),
         bounds: tuple[float, float, float, float] | None = None, crs: str = "", to_crs: str = "",
         existing: str = "refuse", strict: bool = False, keep_store: bool = False,
         clouds: bool = True, report: bool = True, store: Path = "",
@@ -92,6 +92,8 @@ def run(inputs: Path | Iterable[Path], output: Path, *, products: str | Iterable
         inputs = [inputs]
     if isinstance(products, str):
         products = [products]
+    if isinstance(edits, (str, os.PathLike)):
+        edits = [edits]
     return RunResult(**_ilot.run(list(inputs), output, list(products),
                                  {key: _setting_text(v) for key, v in (settings or {}).items()}, memory=_memory(memory),
                                  threads=operator.index(threads), footprints=footprints, id_field=id_field,

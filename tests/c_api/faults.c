@@ -95,6 +95,8 @@ static void write_and_read(const char* path) {
   EXPECT(ilot_writer_open(path, "EPSG:2154", 0.001, offset, 0, &writer) == ILOT_OK);
   EXPECT(ilot_writer_write(writer, 3, &columns) == ILOT_OK);
   EXPECT(ilot_writer_finish(writer) == ILOT_OK);
+  REFUSED(ilot_writer_write(writer, 3, &columns), "finished");
+  REFUSED(ilot_writer_finish(writer), "finished");
   ilot_writer_close(writer);
   memset(x, 0, sizeof x);
   memset(classes, 0, sizeof classes);

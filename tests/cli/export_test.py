@@ -4,6 +4,7 @@
 gltf-validator) and compared with the run's own CityJSON and facades. ILOT_EXE names the program."""
 import json
 import pathlib
+import re
 import shutil
 import struct
 import subprocess
@@ -231,6 +232,38 @@ class Exports(unittest.TestCase):
         self.assertIn(f"Feature Count: {len(self.models)}\n", done.stdout)
         self.assertIn(f'ID["EPSG",{CRS[5:]}]', done.stdout)
 
+    def test_citygml_with_north_before_east(self):
+        """Where EPSG's own order is north before east, coordinates stay east before north."""
+        north = self.folder / "north"
+        must("export", self.out, "--to", "citygml", "-o", north, "--crs", "EPSG:3006")
+        low = [min(p[axis] for s in self.solids.values() for p in s.used()) for axis in range(2)]
+        done = subprocess.run(["ogrinfo", "-ro", "-so", "-al", "--config", "GML_SKIP_RESOLVE_ELEMS", "NONE",
+                               north / "roofs.gml"], capture_output=True, text=True, check=True)
+        extent = re.search(r"Extent: \(([\d.]+), ([\d.]+)\)", done.stdout)
+        for axis in range(2):
+            self.assertAlmostEqual(float(extent[axis + 1]), low[axis], delta=200)
+
+    def test_tiles_in_feet(self):
+        """Heights in feet of a system without heights of its own are metres on the earth."""
+        feet, there = self.folder / "feet", self.folder / "there"
+        shutil.copytree(self.out, feet)
+        run = json.loads((feet / "run.json").read_text())
+        run["crs"].update({"name": "EPSG:2263", "metres_per_unit": 0.3048006096012192})
+        (feet / "run.json").write_text(json.dumps(run))
+        must("export", feet, "--to", "3dtiles", "-o", there)
+        box = json.loads((there / "3dtiles" / "tileset.json").read_text())["root"]["boundingVolume"]["box"]
+        heights = [p[2] for s in self.solids.values() for p in s.used()]
+        self.assertAlmostEqual(2 * box[11], 0.3048006 * (max(heights) - min(heights)), delta=0.5)
+
+    def test_a_folder_of_the_user_stays(self):
+        mine = self.folder / "keep.part"
+        mine.mkdir()
+        (mine / "precious").write_text("mine")
+        must("export", self.out, "--to", "ply", "-o", self.folder / "keep")
+        self.assertEqual((mine / "precious").read_text(), "mine")
+        self.assertTrue((self.folder / "keep" / "roofs.ply").exists())
+        self.assertFalse((self.folder / "keep.part2").exists())
+
     @unittest.skipUnless(npm_has("web-ifc"), "no node, or no web-ifc below ILOT_NPM")
     def test_ifc(self):
         """web-ifc finds each envelope where CityJSON has it, as large and with its attributes."""
@@ -299,6 +332,9 @@ class Exports(unittest.TestCase):
         self.refuse([self.out, "--to", "glb", "-o", self.made], "there already")
         self.refuse([self.out, "--to", "glb", "-o", self.out], "there already")
         self.refuse([self.out, "--to", "glb", "-o", new, "--crs", "EPSG:999999"], "EPSG:999999")
+        self.refuse([self.out, "--to", "ply", "-o", new, "--crs", "rubbish"], "rubbish")
+        self.refuse([self.out, "--to", "ply", "-o", new, "--crs", "EPSG:4326"], "EPSG:4326", "plane coordinates")
+        self.refuse([self.out, "--to", "ply", "-o", new, "--crs", "EPSG:2263"], "EPSG:2263", "unit")
         broken = self.folder / "broken"
         shutil.copytree(self.out, broken)
         file = broken / "roofs" / "roofs.city.jsonl"

@@ -68,7 +68,9 @@ class ToolboxTest(unittest.TestCase):
         (cls.folder / "run").mkdir(mode=0o700)
         cls.environment = {**os.environ, "HOME": str(cls.folder), "QT_QPA_PLATFORM": "offscreen", "ILOT_EXECUTABLE": EXE,
                            "XDG_RUNTIME_DIR": str(cls.folder / "run"), "QGIS_PLUGINPATH": str(ROOT / "qgis"),
-                           "PYTHONDONTWRITEBYTECODE": "1"}
+                           "PYTHONDONTWRITEBYTECODE": "1",
+                           # QGIS takes the modules of the first python3 on the path; its own are those of the system.
+                           "PATH": os.pathsep.join([str(pathlib.Path(QGIS).parent), os.environ["PATH"]])}
         cls.cloud = cls.folder / "town.laz"
         cls.call("plugins", "enable", "ilot")
         cls.call("run", "ilot:scan", "--", "SCENE=district", "POINTS=60000", f"OUTPUT={cls.cloud}")

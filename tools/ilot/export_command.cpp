@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,9 +25,11 @@ int export_command(const ExportArguments& given) {
   if (given.folder.empty()) throw Error("export: -o FOLDER is needed", ExitCode::usage);
   const ExportSummary summary = export_result(given.result, given.folder, given.params);
   for (const std::string& note : summary.notes) say(one_line("ilot: " + note));
-  if (summary.without_model > 0)
-    say(fmt::format("ilot: {} of {} buildings have no solid and are left out\n", summary.without_model,
-                    summary.buildings));
+  const auto& formats = given.params.formats;
+  const bool solids = std::any_of(formats.begin(), formats.end(), [](const auto& f) { return f != "citygml"; });
+  if (summary.without_model > 0 && solids)
+    say(fmt::format("ilot: {} of {} buildings have no solid and are left out of all formats but citygml\n",
+                    summary.without_model, summary.buildings));
   return static_cast<int>(ExitCode::ok);
 }
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/deliverables/exports/export_result.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -79,13 +82,32 @@ bool wants(const ExportParams& params, const char* format) {
   return std::find(params.formats.begin(), params.formats.end(), format) != params.formats.end();
 }
 
+// The CRS that --crs names. The coordinates of a result are in the unit of the run.
+Crs given_crs(const std::string& text, double metres_per_unit) {
+  constexpr double kSameUnit = 1e-4;  // international and US survey foot differ less
+  Crs crs = crs_from_text(text);
+  if (crs.geographic) throw Error("--crs " + text + ": is no system of plane coordinates", ExitCode::usage);
+  if (std::abs(crs.metres_per_unit / metres_per_unit - 1) > kSameUnit)
+    throw Error(fmt::format("--crs {}: its unit is {} m, that of the result is {} m", text, crs.metres_per_unit,
+                            metres_per_unit),
+                ExitCode::usage);
+  return crs;
+}
+
 ExportFrame frame_of(const ResultFolder& result, const ExportParams& params) {
   ExportFrame frame;
   frame.metres_per_unit = result.metres_per_unit;
-  const auto crs = result.run.value("crs", nlohmann::ordered_json::object());
-  frame.crs_name = params.crs.empty() ? crs.value("name", "none") : params.crs;
-  if (frame.crs_name == "none") frame.crs_name.clear();
-  if (frame.crs_name.starts_with("EPSG:")) frame.crs = crs_from_text(frame.crs_name);
+  if (!params.crs.empty()) {
+    frame.crs = given_crs(params.crs, result.metres_per_unit);
+    frame.crs_name = frame.crs.epsg != 0 ? "EPSG:" + std::to_string(frame.crs.epsg) : frame.crs.name;
+  } else {
+    frame.crs_name = result.run.value("crs", nlohmann::ordered_json::object()).value("name", "none");
+    if (frame.crs_name == "none") frame.crs_name.clear();
+    if (frame.crs_name.starts_with("EPSG:")) frame.crs = crs_from_text(frame.crs_name);
+  }
+  // Heads of files have the name on one line.
+  std::replace_if(
+      frame.crs_name.begin(), frame.crs_name.end(), [](unsigned char c) { return c < 32; }, ' ');
   return frame;
 }
 

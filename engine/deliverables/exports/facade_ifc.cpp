@@ -9,6 +9,7 @@
 #include "engine/deliverables/drawings/facade_plan.h"
 #include "engine/deliverables/exports/step_file.h"
 #include "engine/deliverables/solids/facade_solids.h"
+#include "engine/model/facade.h"
 
 namespace ilot {
 namespace {
@@ -64,24 +65,25 @@ std::string length_value(double metres) {
   return "IFCLENGTHMEASURE(" + step_real(metres) + ")";
 }
 
-void add_dimensions(const Wall& wall, const FacadeElement& e, StepId element) {
-  ifc_properties(wall.file, wall.words(e), element, "ilot_Dimensions",
-                 {{"Width", length_value(e.width_m)},
-                  {"Height", length_value(e.height_m)},
-                  {"Depth", length_value(e.depth_m)},
-                  {"WidthError", length_value(e.width_error_m)},
-                  {"HeightError", length_value(e.height_error_m)},
-                  {"DepthError", length_value(e.depth_error_m)}});
+// What a person drew has no stated error.
+void add_error(const FacadeElement& e, const char* name, double error_m, IfcProperties& properties) {
+  if (e.status == DrawnStatus::by_hand && error_m == 0) return;
+  properties.emplace_back(name, length_value(error_m));
 }
 
-const char* status_of(DrawnStatus status) {
-  return status == DrawnStatus::seen ? "seen" : status == DrawnStatus::completed ? "completed" : "occluded";
+void add_dimensions(const Wall& wall, const FacadeElement& e, StepId element) {
+  IfcProperties dimensions{
+      {"Width", length_value(e.width_m)}, {"Height", length_value(e.height_m)}, {"Depth", length_value(e.depth_m)}};
+  add_error(e, "WidthError", e.width_error_m, dimensions);
+  add_error(e, "HeightError", e.height_error_m, dimensions);
+  add_error(e, "DepthError", e.depth_error_m, dimensions);
+  ifc_properties(wall.file, wall.words(e), element, "ilot_Dimensions", dimensions);
 }
 
 void add_proof(const Wall& wall, const FacadeElement& e, StepId element) {
   IfcProperties proof{{"Element", fmt::format("IFCINTEGER({})", e.id)},
                       {"Kind", "IFCLABEL(" + step_text(e.kind) + ")"},
-                      {"Status", fmt::format("IFCLABEL('{}')", status_of(e.status))},
+                      {"Status", fmt::format("IFCLABEL('{}')", name_of(e.status))},
                       {"Points", fmt::format("IFCINTEGER({})", e.points)}};
   if (!e.reason.empty()) proof.emplace_back("Reason", "IFCTEXT(" + step_text(e.reason) + ")");
   if (!e.edges.empty()) {
@@ -93,7 +95,7 @@ void add_proof(const Wall& wall, const FacadeElement& e, StepId element) {
       rms = std::max(rms, edge.rms_m);
     }
     proof.emplace_back("FewestPointsOfAnEdge", fmt::format("IFCINTEGER({})", fewest));
-    proof.emplace_back("LargestEdgeError", length_value(error));
+    add_error(e, "LargestEdgeError", error, proof);
     proof.emplace_back("LargestEdgeRms", length_value(rms));
   }
   ifc_properties(wall.file, wall.words(e), element, "ilot_Proof", proof);

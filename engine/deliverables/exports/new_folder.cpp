@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/deliverables/exports/new_folder.h"
 
+#include <string>
+
 #include "engine/error.h"
 #include "engine/system_reason.h"
 
@@ -8,15 +10,18 @@ namespace ilot {
 
 namespace fs = std::filesystem;
 
-NewFolder::NewFolder(const fs::path& path)
-    : path_(path.has_filename() ? path : path.parent_path()), part_(path_.string() + ".part") {
+NewFolder::NewFolder(const fs::path& path) : path_(path.has_filename() ? path : path.parent_path()) {
   std::error_code fault;
   const bool there = fs::exists(path_, fault);
   if (there && !(fs::is_directory(path_, fault) && fs::is_empty(path_, fault)))
     throw Error(path_.string() + ": is there already; give a new folder", ExitCode::usage);
-  fs::remove_all(part_, fault);  // of an earlier process that was killed
-  fs::create_directories(part_, fault);
-  if (fault) throw Error(part_.string() + ": cannot be made: " + system_reason(fault.value()));
+  if (path_.has_parent_path()) fs::create_directories(path_.parent_path(), fault);
+  // A folder of this name may be a user's, or that of another process at work.
+  for (int number = 1; part_.empty() && !fault; ++number) {
+    const fs::path part = path_.string() + ".part" + (number == 1 ? "" : std::to_string(number));
+    if (fs::create_directory(part, fault)) part_ = part;
+  }
+  if (fault) throw Error(path_.string() + ": cannot be made: " + system_reason(fault.value()));
 }
 
 NewFolder::~NewFolder() {

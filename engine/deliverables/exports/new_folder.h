@@ -5,7 +5,8 @@
 
 namespace ilot {
 
-// Files are written into PATH.part, which becomes PATH at commit(). Without commit() nothing remains. Throws a usage
+// Files are written into a new folder PATH.part (PATH.part2 ... where that is there), which becomes PATH at commit().
+// Without commit() it is removed. Throws a usage
 // Error when PATH is there and is not an empty folder.
 class NewFolder {
  public:

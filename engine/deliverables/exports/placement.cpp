@@ -26,6 +26,9 @@ Placement::Placement(const ExportFrame& frame, double geoid_m) : frame_(frame), 
   if (!is_known(frame.crs)) return;
   const Crs earth = crs_from_epsg(kGeocentric);
   transform_ = std::make_shared<CrsTransform>(frame.crs, earth);
+  // PROJ reads heights in metres where the CRS has none of its own; those of a result have the unit of the plan.
+  const bool own_heights = horizontal_crs(frame.crs).wkt != frame.crs.wkt;
+  height_unit_ = own_heights ? frame.crs.metres_per_unit_z : 1;
   centre_ = frame.origin;
   to_4978(std::span(&centre_, 1));
   Vec3 geodetic = centre_;
@@ -41,7 +44,7 @@ Placement::Placement(const ExportFrame& frame, double geoid_m) : frame_(frame), 
 }
 
 void Placement::to_4978(std::span<Vec3> places) const {
-  for (Vec3& p : places) p.z += geoid_m_ / frame_.metres_per_unit;
+  for (Vec3& p : places) p.z = (p.z * frame_.metres_per_unit + geoid_m_) / height_unit_;
   transform_->apply(places);
 }
 

@@ -29,7 +29,7 @@ class Placement {
   void to_4978(std::span<Vec3> places) const;
 
   ExportFrame frame_;
-  double geoid_m_ = 0;
+  double geoid_m_ = 0, height_unit_ = 1;  // metres; metres of a unit of the heights that PROJ reads
   std::shared_ptr<const CrsTransform> transform_;
   Vec3 centre_, east_, north_, up_;
 };

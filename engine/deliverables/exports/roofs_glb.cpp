@@ -15,6 +15,7 @@ using Json = nlohmann::ordered_json;
 Json attributes_json(const BuildingModel& model) {
   Json json{{"id", model.id}};
   for (const auto& [name, value] : model.attributes) std::visit([&](const auto& v) { json[name] = v; }, value);
+  json["id"] = model.id;  // not a further attribute of a footprint that has this name
   return json;
 }
 

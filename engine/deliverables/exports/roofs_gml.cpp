@@ -130,7 +130,8 @@ std::string attribute_text(const std::string& name, const AttributeValue& value)
 
 RoofsGml::RoofsGml(const std::filesystem::path& path, const ExportFrame& frame) : file_(path) {
   if (!frame.crs_name.empty() && frame.crs.epsg != 0)
-    srs_ = fmt::format(" srsName=\"urn:ogc:def:crs:EPSG::{}\" srsDimension=\"3\"", frame.crs.epsg);
+    // This form of the name means east before north; the form urn:ogc:def:crs: means the order that EPSG gives.
+    srs_ = fmt::format(" srsName=\"EPSG:{}\" srsDimension=\"3\"", frame.crs.epsg);
   append(kHead + fmt::format("<gml:description>Buildings from a point cloud, ilot {}</gml:description>\n", version()));
 }
 
