@@ -88,6 +88,10 @@ class Facades(RunTest):
         self.assertEqual([r["edge_error_m"] == "by hand" for r in by_hand], [True, False])
         dxf = (out / "facades/facade-001.dxf").read_text()
         self.assertEqual(dxf.count("\nby hand\n"), 3)  # STATUS of both, ERROR of one
+        self.assertEqual(ilot("export", out, "--to", "ifc", "-o", out.parent / "ifc").returncode, 0)
+        ifc = (out.parent / "ifc/facade-001.ifc").read_text()
+        self.assertEqual(ifc.count("IFCLABEL('by hand')"), 4)  # of two openings and what fills them
+        self.assertNotRegex(ifc, r"'WidthError',\$,IFCLENGTHMEASURE\(0\.0*\)", "no error is stated by hand")
         again, _ = self.work(self.cloud, *self.asked, "--edits", edits, "--threads", "1", "--memory", "256M")
         self.assertEqual(files_of(again), files_of(out))
 

@@ -107,7 +107,7 @@ class OpeningReader {
 
  private:
   void close_block() {
-    // Blocks of other things, and dimensions, have no KIND.
+    // Blocks that are no openings, and dimensions, have no KIND.
     if (in_block_ && !block_.box.is_empty() && !block_.kind.empty()) add(block_);
     in_block_ = false;
   }

@@ -72,19 +72,19 @@ Json metadata_start(const std::vector<PropertyClass>& classes) {
 Json property_table(Glb& glb, const PropertyClass& of, const std::vector<PropertyRow>& rows) {
   Json properties = Json::object();
   for (std::size_t i = 0; i < of.properties.size(); ++i) {
-    Json& told = properties[of.properties[i].name];
+    Json& described = properties[of.properties[i].name];
     switch (of.properties[i].type) {
       case PropertyType::text:
-        told = text_column(glb, rows, i);
+        described = text_column(glb, rows, i);
         break;
       case PropertyType::real:
-        told["values"] = numbers_view(glb, column<double, double>(rows, i));
+        described["values"] = numbers_view(glb, column<double, double>(rows, i));
         break;
       case PropertyType::whole:
-        told["values"] = numbers_view(glb, column<std::int64_t, std::int64_t>(rows, i));
+        described["values"] = numbers_view(glb, column<std::int64_t, std::int64_t>(rows, i));
         break;
       case PropertyType::surface:
-        told["values"] = numbers_view(glb, column<std::int64_t, std::uint8_t>(rows, i));
+        described["values"] = numbers_view(glb, column<std::int64_t, std::uint8_t>(rows, i));
     }
   }
   return {{"name", of.name}, {"class", of.name}, {"count", rows.size()}, {"properties", properties}};

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "engine/deliverables/solids/city_json.h"
 #include "engine/markup.h"
 #include "engine/version.h"
 
@@ -26,17 +27,6 @@ std::string xml_text(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 32) c = ' ';
   return escaped_markup(text);
-}
-
-const char* name_of(SurfaceKind kind) {
-  switch (kind) {
-    case SurfaceKind::roof:
-      return "RoofSurface";
-    case SurfaceKind::wall:
-      return "WallSurface";
-    default:
-      return "GroundSurface";
-  }
 }
 
 std::string ring_text(const Building& building, const std::vector<std::uint32_t>& ring) {
@@ -88,7 +78,7 @@ std::string lod2_text(const Building& level, std::uint64_t number, const std::st
     boundary += fmt::format(
         "<bldg:boundedBy><bldg:{0}>{1}<bldg:lod2MultiSurface><gml:MultiSurface{2}>\n{3}</gml:MultiSurface>"
         "</bldg:lod2MultiSurface></bldg:{0}></bldg:boundedBy>\n",
-        name_of(surface.kind), plane, srs, member(polygon_text(level, surface, id)));
+        surface_type(surface.kind), plane, srs, member(polygon_text(level, surface, id)));
   }
   return solid_text("lod2Solid", srs, members) + boundary;
 }

@@ -15,17 +15,6 @@ namespace {
 
 constexpr double kFarthestStep = 0x1p53;  // steps; beyond it JSON readers round whole numbers
 
-const char* name_of(SurfaceKind kind) {
-  switch (kind) {
-    case SurfaceKind::roof:
-      return "RoofSurface";
-    case SurfaceKind::wall:
-      return "WallSurface";
-    default:
-      return "GroundSurface";
-  }
-}
-
 std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -77,7 +66,7 @@ std::string attributes_text(const Attributes& attributes) {
 }
 
 std::string semantic_text(const Building& building, const BuildingSurface& surface, const CityJsonParams& params) {
-  std::string text = fmt::format(R"({{"type":"{}")", name_of(surface.kind));
+  std::string text = fmt::format(R"({{"type":"{}")", surface_type(surface.kind));
   if (surface.plane_id > 0) text += fmt::format(R"(,"plane_id":{})", surface.plane_id);
   if (surface.kind == SurfaceKind::roof)
     text +=
@@ -132,6 +121,17 @@ std::string vertices_text(const std::vector<Steps>& vertices) {
 }
 
 }  // namespace
+
+const char* surface_type(SurfaceKind kind) {
+  switch (kind) {
+    case SurfaceKind::roof:
+      return "RoofSurface";
+    case SurfaceKind::wall:
+      return "WallSurface";
+    default:
+      return "GroundSurface";
+  }
+}
 
 CityJsonWriter::CityJsonWriter(const std::filesystem::path& path, const CityJsonParams& params)
     : file_(path), params_(params), sequence_(path.extension() == ".jsonl") {

@@ -16,6 +16,9 @@
 
 namespace ilot {
 
+// Returns "RoofSurface", "WallSurface" or "GroundSurface", the names that CityJSON and CityGML have.
+const char* surface_type(SurfaceKind kind);
+
 struct CityJsonParams {
   int epsg = 0;          // 0 = unknown
   Vec3 origin;           // near the buildings: coordinates are whole steps from this place
