@@ -164,8 +164,10 @@ void make_files(const MergeOptions& options, const Plan& plan, const std::vector
   RoofSink sink(folder, roof_files_params(plan.roofs.frame, plan.settings, plan.crs), plan.crs, nullptr, record);
   const Merged merged = merge_buildings(options, plan, areas, sink, progress);
   sink.finish();
-  record.points.labelled = merged.labelled;
-  record.points.unlabelled = record.points.read - merged.labelled - record.points.rejected_total();
+  // A point in two outlines counts for both buildings.
+  const std::uint64_t usable = record.points.read - record.points.rejected_total();
+  record.points.labelled = std::min(merged.labelled, usable);
+  record.points.unlabelled = usable - record.points.labelled;
   if (plan.roofs.footprints) {
     record_misalignment(merged.shifts, progress, record);
     resolve_skipped_footprints(merged.names, progress, record);
