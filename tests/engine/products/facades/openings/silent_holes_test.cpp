@@ -148,5 +148,36 @@ TEST(SilentHoles, TheRingOfCellsFollowsTheirBorder) {
   EXPECT_DOUBLE_EQ(twice, 6);
 }
 
+bool is_in_ring(const std::vector<Place2>& ring, Place2 p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Place2 a = ring[i], b = ring[(i + 1) % ring.size()];
+    if ((a.v > p.v) != (b.v > p.v) && p.u < a.u + (b.u - a.u) * (p.v - a.v) / (b.v - a.v)) inside = !inside;
+  }
+  return inside;
+}
+
+// A van that was removed from the cloud hid the foot of a window and the wall beside it: the wall is not seen there,
+// and the window is not hatched.
+TEST(SilentHoles, WhatIsNotSeenEndsAtAnOpening) {
+  test::ScannedWall wall;
+  wall.wall({{2, -0.25, 2.4, 3.6, 1, 2.8, 0}});
+  wall.block(0.8, 3, 0.2, 1.4, 1.2, 998);
+  const FacadeSite site = test::scan_wall(wall, {3, 1.2, 8}, 0.0025, 998);
+  std::vector<UnseenArea> unseen;
+  const std::vector<FoundRectangle> found = find_openings(RaySamples(site), {}, nullptr, &unseen);
+  ASSERT_EQ(found.size(), 1u);
+  const Box2 box = found[0].box();
+  int in_window = 0, beside = 0;
+  for (const UnseenArea& area : unseen)
+    for (double v = 0.3; v < 2.7; v += 0.1) {
+      for (double u = box.u0 + 0.1; u < box.u1 - 0.1; u += 0.1)
+        in_window += is_in_ring(area.ring, {u, v}) && v > box.v0 + 0.1;
+      for (double u = 0.9; u < box.u0 - 0.1; u += 0.1) beside += is_in_ring(area.ring, {u, v});
+    }
+  EXPECT_EQ(in_window, 0);
+  EXPECT_GT(beside, 50) << "the wall beside the window";
+}
+
 }  // namespace
 }  // namespace ilot
