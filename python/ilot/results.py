@@ -5,9 +5,11 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import os
 from typing import Any, Iterable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _ilot
 from ._types import Floats, Path
@@ -129,6 +131,17 @@ class StreetObject:
                    for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
         properties = {f.name: getattr(self, f.name) for f in dataclasses.fields(self) if f.name not in ("base", "middle")}
         return _feature({"type": "Polygon", "coordinates": [_closed(corners)]}, properties)
+
+
+def read_labels(folder: Path) -> dict[str, NDArray[np.void]]:
+    """Returns the labels of the points of each Cloud that was an input, by its name: structured arrays of one record a point, in the
+    order of the points, mapped from the files (nothing is read before it is used). Fields are those that docs/outputs.md lists
+    for labelled clouds: plane_id, residual, unit_id ... Of inputs that are files, read_cloud(labelled, extra=["plane_id"]) gives
+    them."""
+    top = os.fspath(folder)
+    clouds = [os.fspath(cloud) for cloud in _ilot.read_run(top)["clouds"]]
+    return {os.path.basename(cloud).removesuffix(".npy"): np.load(os.path.join(top, cloud), mmap_mode="r")
+            for cloud in clouds if cloud.endswith(".npy")}
 
 
 def read_planes(folder: Path) -> list[PlaneSegment]:
