@@ -5,13 +5,16 @@ from __future__ import annotations
 import dataclasses
 import operator
 import os
-from typing import Any, Iterable
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING, Any, Iterable
 
 from . import _ilot
-from ._types import Floats, Path, usage_fault
+from ._types import Path, usage_fault
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ._types import Floats
 
 
 @dataclasses.dataclass(frozen=True, eq=False)

@@ -10,8 +10,6 @@ import operator
 import os
 from typing import Any, Callable, Iterable
 
-import numpy as np
-
 from . import _ilot
 from ._types import Path, usage_fault
 from .clouds import Cloud
@@ -40,12 +38,14 @@ class RunResult:
 
 
 def _setting_text(value: Any) -> str:
-    """The value as TOML has it; None is auto."""
+    """The value as TOML has it; None is auto. Values of NumPy count as those of Python."""
     if value is None:
         return "auto"
-    if isinstance(value, (bool, np.bool_)):
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, bool):
         return "true" if value else "false"
-    if isinstance(value, (list, tuple, np.ndarray)):
+    if isinstance(value, (list, tuple)):
         return "[" + ", ".join(_setting_text(v) for v in value) + "]"
     return str(value)
 

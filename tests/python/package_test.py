@@ -322,6 +322,12 @@ class Package(unittest.TestCase):
             done = subprocess.run([sys.executable, "-c", example], cwd=folder, capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, example + done.stderr)
 
+    def test_importing_is_quick(self):
+        """NumPy takes longer to load than the rest, and a run needs none of it."""
+        script = "import ilot, sys; ilot.parameters(); print('numpy' in sys.modules)"
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+        self.assertEqual(done.stdout.strip(), "False")
+
     def test_everything_public_is_documented(self):
         for name in ilot.__all__:
             self.assertTrue(inspect.getdoc(getattr(ilot, name)), name)

@@ -6,6 +6,7 @@
 
 #include "engine/cloud/record.h"
 #include "ilot/array_cloud.h"
+#include "ilot/geometry.h"
 
 namespace ilot {
 
