@@ -1,25 +1,24 @@
 # SPDX-License-Identifier: Apache-2.0
 # ilot in a container: docker build -t ilot . ; docker run --rm -v "$PWD:/data" ilot run district.laz -o out
-# The first stage makes the Debian package (docs/packages.md), the second has what that needs and nothing of the build.
+# The first stage makes the tarball with a libgdal without GPL parts (docs/packages.md), the second unpacks it and has nothing else.
 FROM debian:bookworm-slim AS build
 RUN apt-get update \
- && apt-get install -y --no-install-recommends build-essential ca-certificates nodejs npm
+ && apt-get install -y --no-install-recommends build-essential ca-certificates debhelper dpkg-dev git nodejs npm
 WORKDIR /build/ilot
-COPY debian/control debian/changelog debian/
-RUN apt-get build-dep -y --no-install-recommends ./
-# What reports show in 3D; apart from the sources, so that it is fetched again only when the lock changes.
+COPY tools/setup tools/
 COPY viewer/package.json viewer/package-lock.json viewer/
-RUN npm ci --prefix viewer --no-fund --no-audit
+RUN tools/setup
+COPY packaging/reduced_gdal.sh packaging/
+RUN packaging/reduced_gdal.sh /build/gdal
 COPY . .
-RUN dpkg-buildpackage -b -us -uc
+RUN cmake --preset release -DILOT_BUILD_TESTS=OFF && cmake --build build/release --target ilot \
+ && packaging/tarball.py build/release/tools/ilot /build/ilot.tar.gz --gdal /build/gdal \
+ && mkdir /build/opt && tar -xf /build/ilot.tar.gz -C /build/opt
 
 FROM debian:bookworm-slim
-COPY --from=build /build/ilot_*.deb /tmp/
-RUN apt-get update \
- && apt-get install -y --no-install-recommends /tmp/ilot_*.deb \
- && rm -rf /var/lib/apt/lists/* /tmp/*.deb
+COPY --from=build /build/opt/ilot /opt/ilot
 # Results belong to who asks for them: docker run --user "$(id -u):$(id -g)".
-RUN useradd --create-home ilot
+RUN ln -s /opt/ilot/bin/ilot /usr/local/bin/ilot && useradd --create-home ilot
 USER ilot
 WORKDIR /data
 ENTRYPOINT ["ilot"]

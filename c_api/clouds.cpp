@@ -113,8 +113,8 @@ const char* ilot_version(void) {
 
 ilot_status ilot_cloud_open(const char* path, ilot_cloud** cloud) {
   return guarded([&] {
+    clear(cloud);
     need(cloud, "cloud");
-    *cloud = nullptr;
     need(path, "path");
     *cloud = new ilot_cloud{CloudFile(path)};
     return ILOT_OK;
@@ -132,6 +132,7 @@ uint64_t ilot_cloud_rows(const ilot_cloud* cloud) {
 ilot_status ilot_cloud_read(ilot_cloud* cloud, uint64_t first, size_t capacity, const ilot_columns* columns,
                             uint64_t* rows, size_t* points) {
   return guarded([&] {
+    clear(rows, points);
     need(cloud, "cloud");
     need_places(columns);
     need(rows, "rows");
@@ -144,7 +145,6 @@ ilot_status ilot_cloud_read(ilot_cloud* cloud, uint64_t first, size_t capacity, 
                             span_of(columns->red, capacity),
                             span_of(columns->green, capacity),
                             span_of(columns->blue, capacity)};
-    *points = 0;
     *rows = cloud->file.read(first, arrays, *points);
     return ILOT_OK;
   });
@@ -152,6 +152,7 @@ ilot_status ilot_cloud_read(ilot_cloud* cloud, uint64_t first, size_t capacity, 
 
 ilot_status ilot_cloud_measure(ilot_cloud* cloud, char** json) {
   return guarded([&] {
+    clear(json);
     need(cloud, "cloud");
     need(json, "json");
     *json = text_of(measure_json(cloud->file, cloud->file.measure()));
@@ -162,8 +163,8 @@ ilot_status ilot_cloud_measure(ilot_cloud* cloud, char** json) {
 ilot_status ilot_writer_open(const char* path, const char* crs, double scale, const double offset[3], int32_t colour,
                              ilot_writer** writer) {
   return guarded([&] {
+    clear(writer);
     need(writer, "writer");
-    *writer = nullptr;
     need(path, "path");
     need(offset, "offset");
     CloudWriterOptions options;

@@ -28,6 +28,12 @@ ilot_status guarded(const Body& body) noexcept {
   }
 }
 
+// Outputs are NULL or 0 after a fault, whatever the fault; called before everything else.
+template <typename... Outputs>
+void clear(Outputs*... outputs) {
+  ((outputs != nullptr ? void(*outputs = Outputs{}) : void()), ...);
+}
+
 // Throws Error (usage) for NULL.
 void need(const void* pointer, const char* name);
 

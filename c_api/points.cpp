@@ -64,6 +64,7 @@ ilot_status ilot_estimate_normals(const double* x, const double* y, const double
 ilot_status ilot_euclidean_clusters(const double* x, const double* y, const double* z, size_t points, double radius,
                                     uint32_t* id, uint32_t* clusters) {
   return guarded([&] {
+    clear(clusters);
     need(id, "id");
     need(clusters, "clusters");
     const Clusters found = euclidean_clusters(points_of(x, y, z, points), radius);
@@ -77,6 +78,7 @@ ilot_status ilot_find_planes(const double* x, const double* y, const double* z, 
                              double normal_angle_deg, double connectivity, uint32_t min_points, uint64_t seed,
                              int32_t threads, uint32_t* label, double** planes, size_t* count) {
   return guarded([&] {
+    clear(planes, count);
     need(label, "label");
     need(planes, "planes");
     need(count, "count");
@@ -103,6 +105,7 @@ ilot_status ilot_find_planes(const double* x, const double* y, const double* z, 
 
 ilot_status ilot_delaunay(const double* x, const double* y, size_t points, uint32_t** corners, size_t* triangles) {
   return guarded([&] {
+    clear(corners, triangles);
     need(x, "x");
     need(y, "y");
     need(corners, "corners");
@@ -118,6 +121,7 @@ ilot_status ilot_delaunay(const double* x, const double* y, size_t points, uint3
 ilot_status ilot_alpha_shape(const double* x, const double* y, size_t points, double reach, int32_t fill_holes,
                              char** json) {
   return guarded([&] {
+    clear(json);
     need(x, "x");
     need(y, "y");
     need(json, "json");

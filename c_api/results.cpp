@@ -164,8 +164,8 @@ Json streets_json(const StreetPlan& plan) {
 template <typename Read>
 ilot_status read_as_json(const char* folder, char** json, const Read& read) {
   return guarded([&] {
+    clear(json);
     need(json, "json");
-    *json = nullptr;
     need(folder, "folder");
     *json = text_of(read(std::filesystem::path(folder)));
     return ILOT_OK;

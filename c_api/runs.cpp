@@ -2,6 +2,7 @@
 // Whole runs, over run.h and parameters.h.
 #include "ilot/run.h"
 
+#include <atomic>
 #include <charconv>
 #include <cstring>
 #include <map>
@@ -115,20 +116,19 @@ nlohmann::json parameter_json(const Parameter& p, const Settings& settings) {
   return json;
 }
 
-// The caller's functions. One that asks for a stop ends this run, not later ones.
+// The caller's functions. One that asks for a stop ends this run, and neither one that waits nor a later one.
 ilot_status start(ilot_run& run) {
-  bool stopped = false;
+  std::atomic<bool> stopped{false};
   RunCallbacks callbacks;
+  callbacks.stop = &stopped;
   if (run.progress != nullptr)
     callbacks.progress = [&](const RunProgress& p) {
       if (stopped || run.progress(run.user, p.stage.c_str(), p.points_done, p.points_total, p.seconds) == 0) return;
       stopped = true;
-      request_stop();
     };
   if (run.message != nullptr)
     callbacks.message = [&](std::string_view line) { run.message(run.user, std::string(line).c_str()); };
   const ilot_status status = guarded([&] { return static_cast<ilot_status>(ilot::run(run.options, callbacks).exit); });
-  if (stopped) accept_runs();
   if (status == ILOT_FAILED && *ilot_last_error() == 0) fault(status, "the run failed, see run.json");
   return status;
 }
@@ -218,6 +218,7 @@ void ilot_accept_runs(void) {
 
 ilot_status ilot_parameters(char** json) {
   return guarded([&] {
+    clear(json);
     need(json, "json");
     const Settings settings;
     nlohmann::json list = nlohmann::json::array();

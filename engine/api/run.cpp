@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "engine/error.h"
+#include "engine/pass/stop.h"
 #include "engine/report/progress.h"
 #include "engine/run/inputs/inputs.h"
 #include "engine/run/products.h"
@@ -26,6 +27,20 @@ double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+bool stop_asked(const RunCallbacks& callbacks) {
+  return callbacks.stop != nullptr && callbacks.stop->load(std::memory_order_relaxed);
+}
+
+// Waits until no other run is at work.
+std::unique_lock<std::timed_mutex> wait_for_turn(const RunCallbacks& callbacks) {
+  static std::timed_mutex one_at_a_time;
+  std::unique_lock lock(one_at_a_time, std::defer_lock);
+  while (!lock.try_lock_for(kTick))
+    if (stop_asked(callbacks) || stop_requested())
+      throw Error("interrupted while it waited for another run; nothing was begun", ExitCode::interrupted);
+  return lock;
+}
+
 // What the engine tells, as calls of the user's functions: one at a time.
 class Teller {
  public:
@@ -37,6 +52,7 @@ class Teller {
       options.console = [this](std::string_view text) {
         const std::lock_guard lock(mutex_);
         callbacks_.message(text);
+        obey();
       };
     if (callbacks_.progress) options.events = [this](std::string_view text) { event(text); };
     return options;
@@ -45,6 +61,7 @@ class Teller {
   // Where the current stage is, when a second has gone by.
   void tick(const Progress& progress) {
     const std::lock_guard lock(mutex_);
+    obey();
     if (!callbacks_.progress || state_.stage.empty() || seconds_now() - last_ < kSecondsBetween) return;
     state_.points_done = progress.done();
     tell();
@@ -71,6 +88,12 @@ class Teller {
     last_ = seconds_now();
     state_.seconds = last_ - start_;
     callbacks_.progress(state_);
+    obey();
+  }
+
+  // Hands the caller's request to stop this run on to its passes.
+  void obey() const {
+    if (stop_asked(callbacks_)) stop_this_run();
   }
 
   const RunCallbacks& callbacks_;
@@ -113,7 +136,7 @@ std::string known_products() {
 
 // As the command line hands them to the engine: files for inputs, products once and in order.
 RunOptions checked(RunOptions options) {
-  if (options.inputs.empty()) throw Error("run: no inputs are given", ExitCode::usage);
+  if (options.inputs.empty() && options.arrays.empty()) throw Error("run: no inputs are given", ExitCode::usage);
   if (options.output.empty()) throw Error("run: no output folder is given", ExitCode::usage);
   if (options.memory_bytes < kLeastMemory) throw Error("run: memory_bytes: at least 96 MiB", ExitCode::usage);
   if (options.threads < 0 || options.threads > 1024) throw Error("run: threads: 0 to 1024", ExitCode::usage);
@@ -129,15 +152,15 @@ RunOptions checked(RunOptions options) {
   options.products.erase(std::unique(options.products.begin(), options.products.end()), options.products.end());
   std::vector<std::string> inputs;
   for (const std::filesystem::path& input : options.inputs) inputs.push_back(input.string());
-  options.inputs = expand_inputs(inputs);
+  if (!inputs.empty()) options.inputs = expand_inputs(inputs);
   return options;
 }
 
 }  // namespace
 
 RunReport run(const RunOptions& options, const RunCallbacks& callbacks) {
-  static std::mutex one_at_a_time;
-  const std::lock_guard lock(one_at_a_time);
+  const std::unique_lock lock = wait_for_turn(callbacks);
+  const RunAtWork at_work;
   const RunOptions given = checked(options);
   Teller teller(callbacks);
   Progress progress(teller.options());

@@ -7,6 +7,8 @@
 #include <type_traits>
 
 #include "engine/error.h"
+#include "engine/formats/arrays/array_reader.h"
+#include "engine/formats/arrays/npy_writer.h"
 #include "engine/formats/changed_reader.h"
 #include "engine/formats/las/extra_bytes.h"
 #include "engine/formats/laz/laz_extender.h"
@@ -60,12 +62,14 @@ struct Stretch {
   std::uint64_t labelled = 0;
 };
 
-// The valid rows, each with its labels after it.
-std::vector<std::byte> joined_rows(const Stretch& s, std::size_t length, std::size_t appended_length) {
+enum class Kept { valid_rows, all_rows };
+
+// The rows, each with its labels after it.
+std::vector<std::byte> joined_rows(const Stretch& s, std::size_t length, std::size_t appended_length, Kept kept) {
   std::vector<std::byte> out;
   out.reserve(s.rows.size() + s.appended.size());
   for (std::size_t i = 0; i < s.valid.size(); ++i) {
-    if (s.valid[i] == 0) continue;
+    if (s.valid[i] == 0 && kept == Kept::valid_rows) continue;
     const auto row = s.rows.begin() + static_cast<std::ptrdiff_t>(i * length);
     const auto ours = s.appended.begin() + static_cast<std::ptrdiff_t>(i * appended_length);
     out.insert(out.end(), row, row + static_cast<std::ptrdiff_t>(length));
@@ -94,8 +98,9 @@ class Labeller {
     spec.software = "ilot " + version();
     for (const AppendedField& f : fields_) spec.appended.push_back(f.field.field);
     spec.waiting_bytes = affordable(context_.budget_bytes) / 2;  // the other half is for stretches
+    if (is_in_memory(spec.like)) return copy(*create_npy(path, spec), Kept::all_rows);
     if (const auto extender = LazExtender::open(reader_of_records(input_), path, spec)) return extend(*extender);
-    return copy(*create_cloud(path, spec));
+    return copy(*create_cloud(path, spec), Kept::valid_rows);
   }
 
  private:
@@ -112,14 +117,14 @@ class Labeller {
     return labelled;
   }
 
-  std::uint64_t copy(PointWriter& output) const {
+  std::uint64_t copy(PointWriter& output, Kept kept) const {
     const std::uint64_t points = input_.info().points;
     const std::size_t length = input_.info().layout.record_length, ours = output.record_length() - length;
     const std::uint64_t stretch = rows_at_a_time(length + ours, kStretch);
     std::vector<std::uint64_t> bounds{0};
     while (bounds.back() < points) bounds.push_back(std::min(bounds.back() + stretch, points));
     const std::uint64_t labelled = by_stretches(
-        bounds, ours, [&](std::size_t, const Stretch& s) { return joined_rows(s, length, ours); },
+        bounds, ours, [&](std::size_t, const Stretch& s) { return joined_rows(s, length, ours, kept); },
         [&](const std::vector<std::byte>& rows) { output.write(rows); });
     output.finish();
     return labelled;
@@ -205,7 +210,7 @@ std::vector<std::string> labelled_names(const std::vector<std::unique_ptr<PointR
       name = base;
       for (int n = 2; !used.insert(name).second; ++n) name = base + "_" + std::to_string(n);
     }
-    names.push_back(name + kCloudExtension);
+    names.push_back(name + (is_in_memory(input->info()) ? kNpyExtension : kCloudExtension));
   }
   return names;
 }

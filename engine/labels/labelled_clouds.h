@@ -25,8 +25,8 @@ void check_labelled_clouds(const std::vector<std::unique_ptr<PointReader>>& inpu
 // a number at the end if that is equal too.
 std::vector<std::string> labelled_names(const std::vector<std::unique_ptr<PointReader>>& inputs);
 
-// Writes a compressed file folder/NAME for every input, with NAME from labelled_names(). Returns the number of points
-// with a label.
+// Writes a compressed file folder/NAME for every input, with NAME from labelled_names(); of a cloud in memory the
+// labels alone, as an array. Returns the number of points with a label.
 std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                                     std::span<const ProductLabels> products, const std::filesystem::path& folder,
                                     const PassContext& context);

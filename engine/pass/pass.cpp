@@ -138,7 +138,7 @@ class Runner {
 }  // namespace
 
 void stop_if_asked() {
-  if (stop_requested()) throw Error("interrupted; the same command with --resume goes on", ExitCode::interrupted);
+  if (run_stop_requested()) throw Error("interrupted; the same command with --resume goes on", ExitCode::interrupted);
 }
 
 std::vector<std::size_t> run_pass(std::span<const PassTask> tasks, std::uint64_t budget_bytes,

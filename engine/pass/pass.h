@@ -22,13 +22,13 @@ enum class TooLarge : std::uint8_t {
 // Calls body(i) once for every task, in parallel, and returns the refused tasks, ascending. A task starts only when its
 // bytes fit beside those of the running tasks. No thread waits for that: it helps with the parallel loops of the
 // running tasks. While a task waits for memory, smaller ones start before it, but only a bounded number of them. Throws
-// what a body throws, and Error(interrupted) when stop_requested(). The result of a task must not depend on which
+// what a body throws, and Error(interrupted) when run_stop_requested(). The result of a task must not depend on which
 // others run: order and concurrency are free. Which tasks are refused depends only on their bytes and the budget. Must
 // not be called from within a task or a parallel loop.
 std::vector<std::size_t> run_pass(std::span<const PassTask> tasks, std::uint64_t budget_bytes,
                                   const std::function<void(std::size_t)>& body, TooLarge too_large = TooLarge::alone);
 
-// Throws Error(interrupted) when stop_requested().
+// Throws Error(interrupted) when run_stop_requested().
 void stop_if_asked();
 
 }  // namespace ilot

@@ -137,6 +137,7 @@ std::string run_json(const RunRecord& record) {
   json["memory_bytes"] = record.memory_bytes;
   json["inputs"] = inputs_json(record);
   json["crs"] = {{"name", record.crs.name}, {"metres_per_unit", record.crs.metres_per_unit}};
+  if (!record.crs.wkt.empty()) json["crs"]["wkt"] = record.crs.wkt;
   json["unit_assumed"] = record.unit_assumed;
   json["stages"] = stages_json(record);
   json["seconds"] = record.seconds;

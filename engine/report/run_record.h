@@ -105,6 +105,7 @@ struct EditsRecord {
 struct CrsRecord {
   std::string name;  // "EPSG:2154", else its name; "none"
   double metres_per_unit = 1;
+  std::string wkt;  // where no one code says it, as for plan and heights from two; else empty
 };
 
 struct RunRecord {

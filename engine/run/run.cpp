@@ -293,7 +293,7 @@ int run_in_arena(const RunOptions& given, const TrainObjectModel& learn, Progres
   std::optional<OutputFolder> out;
   if (!options.dry_run) out.emplace(options, progress);
   const RunInputs inputs = open_inputs(options, progress, record);
-  record.crs = {crs_name(inputs.crs), inputs.crs.metres_per_unit};
+  record.crs = crs_record(inputs.crs);
   if (options.area) options.area = area_in_crs(*options.area, inputs, progress, record);
   check_settings(options, inputs);
   check_edits(options, inputs, progress, record);

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/formats/arrays/array_reader.h"
 #include "engine/formats/file.h"
 #include "engine/report/path_text.h"
 #include "engine/report/sha256.h"
@@ -53,10 +54,14 @@ json edits_json(const std::vector<fs::path>& paths) {
   return list;
 }
 
-json inputs_json(const RunInputs& inputs) {
+// Clouds in memory follow those of files, in the order of the options.
+json inputs_json(const RunOptions& options, const RunInputs& inputs) {
   json list = json::array();
+  auto in_memory = options.arrays.begin();
   for (const auto& reader : inputs.readers) {
-    list.push_back(file_json(reader->info().path));
+    const CloudInfo& info = reader->info();
+    list.push_back(is_in_memory(info) ? json{{"path", info.path.string()}, {"content", content_sum(*in_memory++)}}
+                                      : file_json(info.path));
     list.back()["points"] = reader->info().points;
   }
   return list;
@@ -132,7 +137,7 @@ std::string ends_of(const fs::path& path) {
 std::string run_request(const RunOptions& options, const RunInputs& inputs) {
   const json request{{"version", version()},
                      {"git_hash", git_hash()},
-                     {"inputs", inputs_json(inputs)},
+                     {"inputs", inputs_json(options, inputs)},
                      {"settings", settings_of(options)},
                      {"area", area_json(options.area)},
                      {"footprints", named_file(options.footprints)},

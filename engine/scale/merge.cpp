@@ -102,7 +102,7 @@ RunRecord begun(const Plan& plan) {
   record.settings = plan.settings;
   record.products = plan.products;
   for (const PlanInput& input : plan.inputs) record.inputs.push_back(input.record);
-  record.crs = {crs_name(plan.crs), plan.crs.metres_per_unit};
+  record.crs = crs_record(plan.crs);
   record.unit_assumed = plan.crs.unit_assumed;
   record.points.read = plan.points;
   record.points.rejected = plan.rejected;

@@ -9,6 +9,7 @@
  *   sentence that says what is wrong, where, and what to do. No function prints, exits or lets an exception out.
  * - Texts are UTF-8 and end with a zero. Arrays are the caller's, contiguous, of as many entries as `points` says; they
  *   are read where they are. NULL is refused except where it is said to be allowed.
+ * - Outputs (handles, texts, arrays, counts) are NULL or 0 after a fault.
  * - What the library allocates (texts as JSON, arrays without a known size) is given back by ilot_free().
  * - Handles belong to one thread at a time. All other functions may be called from several threads at once.
  * - Stable: in libilot.so.1 no function changes or goes; new ones come. JSON objects may get new members.
@@ -94,7 +95,7 @@ ILOT_PUBLIC void ilot_writer_close(ilot_writer* writer);
 typedef struct ilot_run ilot_run;
 
 /* Called at the start and the end of stages and every second; total 0 = not known. From threads of the library, never
- * two at once. Not 0 = stop the run. */
+ * two at once. Not 0 = stop this run, and no other. */
 typedef int32_t (*ilot_progress)(void* user, const char* stage, uint64_t done, uint64_t total, double seconds);
 /* A line for people, with its newline. */
 typedef void (*ilot_message)(void* user, const char* line);

@@ -11,6 +11,7 @@
 //
 // The same inputs and settings give the same bytes, whatever the threads, the memory and the machine.
 #pragma once
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -20,6 +21,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ilot/array_cloud.h"
 #include "ilot/cloud_info.h"
 #include "ilot/error.h"
 #include "ilot/geometry.h"
@@ -32,6 +34,7 @@ enum class Existing { refuse, resume, overwrite };
 
 struct RunOptions {
   std::vector<std::filesystem::path> inputs;    // point clouds; folders of them; patterns with * ? [
+  std::vector<ArrayCloud> arrays;               // point clouds in memory, after those of inputs
   std::filesystem::path output;                 // folder for the results
   std::vector<std::string> products{"planes"};  // planes, roofs, facades, streets
   Settings settings;
@@ -67,6 +70,9 @@ struct RunProgress {
 struct RunCallbacks {
   std::function<void(const RunProgress&)> progress;  // at the start and the end of stages, and every second
   std::function<void(std::string_view)> message;     // a line for people with its newline: what `ilot run` prints
+  // True: this run ends soon with ExitCode::interrupted, and no other, also while it waits for its turn. May be set by
+  // any thread or a signal handler; looked at after every call of a function above and five times a second.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 struct SkippedRecord {
@@ -97,8 +103,9 @@ struct RunReport {
 // report holds only the folder and the exit code; what it found out comes as messages.
 //
 // May be called any number of times in one process, one after the other: a call from a second thread waits until the
-// first is done, since memory is counted by process. While it works it uses options.threads threads of its own. The
-// peak of memory is that of the process since it began. GDAL's error handler of the process is set to a silent one.
+// first is done or its own stop is asked for, since memory is counted by process. While it works it uses
+// options.threads threads of its own. The peak of memory is that of the process since it began. GDAL's error handler of
+// the process is set to a silent one.
 RunReport run(const RunOptions& options, const RunCallbacks& callbacks = {});
 
 // What run.json in the folder of a finished run says. Error (usage) when there is none.

@@ -12,13 +12,13 @@ refused with the call of numpy that makes them. Every fault is ilot.Error with a
 the program ilot, whatever the threads."""
 from ._ilot import Error
 from ._ilot import version as __version__
-from .clouds import info, read_cloud, write_cloud
+from .clouds import Cloud, info, read_cloud, write_cloud
 from .points import (alpha_shape, delaunay, estimate_normals, euclidean_clusters, find_planes, nearest_neighbours)
-from .results import (Building, Element, Facade, PlaneSegment, StreetObject, Surface, read_facades, read_planes, read_roofs,
-                      read_streets)
+from .results import (Building, Element, Facade, PlaneSegment, StreetObject, Surface, read_facades, read_labels, read_planes,
+                      read_roofs, read_streets)
 from .runs import RunResult, facades, parameters, planes, read_run, roofs, run, streets
 
-__all__ = ["Building", "Element", "Error", "Facade", "PlaneSegment", "RunResult", "StreetObject", "Surface", "__version__",
+__all__ = ["Building", "Cloud", "Element", "Error", "Facade", "PlaneSegment", "RunResult", "StreetObject", "Surface", "__version__",
            "alpha_shape", "delaunay", "estimate_normals", "euclidean_clusters", "facades", "find_planes", "info",
-           "nearest_neighbours", "parameters", "planes", "read_cloud", "read_facades", "read_planes", "read_roofs", "read_run",
+           "nearest_neighbours", "parameters", "planes", "read_cloud", "read_facades", "read_labels", "read_planes", "read_roofs", "read_run",
            "read_streets", "roofs", "run", "streets", "write_cloud"]

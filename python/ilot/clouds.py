@@ -2,15 +2,46 @@
 """Point clouds as arrays: LAS, LAZ, COPC, E57, PTX, PTS, PLY, PCD and text in; LAS, LAZ, COPC and PLY out."""
 from __future__ import annotations
 
+import dataclasses
 import operator
 import os
-from typing import Any, Iterable
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING, Any, Iterable
 
 from . import _ilot
-from ._types import Floats, Path, usage_fault
+from ._types import Path, usage_fault
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ._types import Floats
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Cloud:
+    """A cloud in memory as an input of run(), planes(), roofs() ...: its arrays are read where they are, so leave them unchanged
+    until the run has ended.
+
+    x, y, z: float64, CRS units, finite; the run rounds them to multiples of `scale`, as write_cloud() does. intensity, red, green,
+    blue: uint16, classification: uint8 (ASPRS codes), or None. crs: "EPSG:2154", or empty. name: of the file with the labels of
+    the points, which read_labels() gives as an array."""
+    x: Floats
+    y: Floats
+    z: Floats
+    intensity: NDArray[np.uint16] | None = None
+    classification: NDArray[np.uint8] | None = None
+    red: NDArray[np.uint16] | None = None
+    green: NDArray[np.uint16] | None = None
+    blue: NDArray[np.uint16] | None = None
+    crs: str = ""
+    scale: float = 0.001
+    name: str = "points"
+
+    @property
+    def attributes(self) -> dict[str, NDArray[Any] | None]:
+        """Its attributes by name; None where it has none."""
+        return {"intensity": self.intensity, "classification": self.classification, "red": self.red, "green": self.green,
+                "blue": self.blue}
 
 
 def read_cloud(path: Path, *, first: int = 0, most: int | None = None, extra: Iterable[str] = ()) -> dict[str, NDArray[Any]]:

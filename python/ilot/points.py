@@ -4,10 +4,13 @@ chosen from their extent (0.0001 up to 419 m). `threads`: 0 = all; no result dep
 from __future__ import annotations
 
 import operator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _ilot
-from ._types import Floats, Indices, Singles, usage_fault
+from ._types import usage_fault
+
+if TYPE_CHECKING:
+    from ._types import Floats, Indices, Singles
 
 
 def nearest_neighbours(x: Floats, y: Floats, z: Floats, count: int = 16, *, max_distance: float = 0.0, step: float = 0.0,

@@ -5,12 +5,17 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import Any, Iterable
-
-import numpy as np
+import os
+from typing import TYPE_CHECKING, Any, Iterable
 
 from . import _ilot
-from ._types import Floats, Path
+from ._types import Path
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ._types import Floats
 
 Place = tuple[float, float, float]
 
@@ -63,7 +68,7 @@ class Building:
     @property
     def __geo_interface__(self) -> dict[str, Any]:
         """The roof of the highest level in plan, else the outline on the ground."""
-        vertices, surfaces = next(reversed(self.levels.values())) if self.levels else (np.empty((0, 3)), [])
+        vertices, surfaces = next(reversed(self.levels.values())) if self.levels else ([], [])
         kind = "roof" if any(s.kind == "roof" for s in surfaces) else "ground"
         rings = [[_closed(vertices[i] for i in ring) for ring in s.rings] for s in surfaces if s.kind == kind]
         return _feature({"type": "MultiPolygon", "coordinates": rings}, {"id": self.id, **self.attributes})
@@ -129,6 +134,18 @@ class StreetObject:
                    for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
         properties = {f.name: getattr(self, f.name) for f in dataclasses.fields(self) if f.name not in ("base", "middle")}
         return _feature({"type": "Polygon", "coordinates": [_closed(corners)]}, properties)
+
+
+def read_labels(folder: Path) -> dict[str, NDArray[np.void]]:
+    """Returns the labels of the points of each Cloud that was an input, by its name: structured arrays of one record a point, in the
+    order of the points, mapped from the files (nothing is read before it is used). Fields are those that docs/outputs.md lists
+    for labelled clouds: plane_id, residual, unit_id ... Of inputs that are files, read_cloud(labelled, extra=["plane_id"]) gives
+    them."""
+    import numpy as np
+    top = os.fspath(folder)
+    clouds = [os.fspath(cloud) for cloud in _ilot.read_run(top)["clouds"]]
+    return {os.path.basename(cloud).removesuffix(".npy"): np.load(os.path.join(top, cloud), mmap_mode="r")
+            for cloud in clouds if cloud.endswith(".npy")}
 
 
 def read_planes(folder: Path) -> list[PlaneSegment]:

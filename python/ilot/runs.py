@@ -10,10 +10,9 @@ import operator
 import os
 from typing import Any, Callable, Iterable
 
-import numpy as np
-
 from . import _ilot
 from ._types import Path, usage_fault
+from .clouds import Cloud
 
 _PRODUCTS = ("planes", "roofs", "facades", "streets")
 
@@ -39,12 +38,14 @@ class RunResult:
 
 
 def _setting_text(value: Any) -> str:
-    """The value as TOML has it; None is auto."""
+    """The value as TOML has it; None is auto. Values of NumPy count as those of Python."""
     if value is None:
         return "auto"
-    if isinstance(value, (bool, np.bool_)):
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, bool):
         return "true" if value else "false"
-    if isinstance(value, (list, tuple, np.ndarray)):
+    if isinstance(value, (list, tuple)):
         return "[" + ", ".join(_setting_text(v) for v in value) + "]"
     return str(value)
 
@@ -73,7 +74,7 @@ def _function(name: str, function: Any) -> Any:
     return function
 
 
-def run(inputs: Path | Iterable[Path], output: Path, *, products: str | Iterable[str] = ("planes",),
+def run(inputs: Path | Cloud | Iterable[Path | Cloud], output: Path, *, products: str | Iterable[str] = ("planes",),
         settings: dict[str, Any] | None = None, memory: int | str = "2G", threads: int = 0, footprints: Path = "",
         id_field: str = "", stations: Path = "", train: Path = "", edits: Path | Iterable[Path] = (),
         bounds: tuple[float, float, float, float] | None = None, crs: str = "", to_crs: str = "",
@@ -83,19 +84,18 @@ def run(inputs: Path | Iterable[Path], output: Path, *, products: str | Iterable
         message: Callable[[str], Any] | None = None) -> RunResult:
     """Makes the products of the clouds in the folder `output`, which appears when it is whole. Returns a RunResult.
 
-    inputs: a path or several (files, folders, patterns). settings: {"planes.epsilon": 0.02}; parameters() lists them, None is
+    inputs: a path or several (files, folders, patterns), or Clouds in memory. settings: {"planes.epsilon": 0.02}; parameters() lists them, None is
     auto. memory: bytes or "512M". bounds: (x0, y0, x1, y1) in CRS units. edits: tables of corrections by hand.
     existing: refuse, resume or overwrite. progress(stage, done, total,
     seconds) and message(line) are called while it works; what they raise stops the run and is raised again. Ctrl-C raises
     KeyboardInterrupt, and existing="resume" continues."""
-    if isinstance(inputs, (str, os.PathLike)):
-        inputs = [inputs]
+    given = [inputs] if isinstance(inputs, (str, os.PathLike, Cloud)) else list(inputs)
     if isinstance(products, str):
         products = [products]
     if isinstance(edits, (str, os.PathLike)):
         edits = [edits]
-    return RunResult(**_ilot.run(list(inputs), output, list(products),
-                                 {key: _setting_text(v) for key, v in (settings or {}).items()}, memory=_memory(memory),
+    return RunResult(**_ilot.run([one for one in given if not isinstance(one, Cloud)], output, list(products),
+                                 {key: _setting_text(v) for key, v in (settings or {}).items()}, arrays=[one for one in given if isinstance(one, Cloud)], memory=_memory(memory),
                                  threads=operator.index(threads), footprints=footprints, id_field=id_field,
                                  stations=stations, train=train, edits=list(edits), bounds=_bounds(bounds),
                                  crs=crs, to_crs=to_crs, existing=existing, strict=strict, keep_store=keep_store, clouds=clouds,
@@ -122,7 +122,7 @@ def _product(name: str) -> Callable[..., RunResult]:
     own = [p for p in parameters() if p["key"].startswith(prefix)]
     keywords = {p["key"].removeprefix(prefix).replace(".", "_"): p["key"] for p in own}
 
-    def make(inputs: Path | Iterable[Path], output: Path, **arguments: Any) -> RunResult:
+    def make(inputs: Path | Cloud | Iterable[Path | Cloud], output: Path, **arguments: Any) -> RunResult:
         settings = dict(arguments.pop("settings", None) or {})
         for word, key in keywords.items():
             if word in arguments:

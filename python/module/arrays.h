@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "ilot/array_cloud.h"
 #include "ilot/error.h"
 #include "ilot/geometry.h"
 
@@ -48,6 +49,28 @@ std::span<const T> values_of(const py::object& given, const char* name) {
 // Returns x, y and z as the functions over points in memory take them.
 inline PointArrays points_of(const py::object& x, const py::object& y, const py::object& z) {
   return {values_of<double>(x, "x"), values_of<double>(y, "y"), values_of<double>(z, "z")};
+}
+
+// The caller's array of an attribute; None: no values.
+template <typename T>
+std::span<const T> values_or_none(const py::object& array, const char* name) {
+  if (array.is_none()) return {};
+  return values_of<T>(array, name);
+}
+
+// The arrays of a cloud in Python's memory, which must be kept alive. `attributes` has intensity, classification, red,
+// green and blue.
+inline ArrayCloud cloud_of(const py::object& x, const py::object& y, const py::object& z, const py::dict& attributes) {
+  ArrayCloud cloud;
+  cloud.x = values_of<double>(x, "x");
+  cloud.y = values_of<double>(y, "y");
+  cloud.z = values_of<double>(z, "z");
+  cloud.intensity = values_or_none<std::uint16_t>(attributes["intensity"], "intensity");
+  cloud.classification = values_or_none<std::uint8_t>(attributes["classification"], "classification");
+  cloud.red = values_or_none<std::uint16_t>(attributes["red"], "red");
+  cloud.green = values_or_none<std::uint16_t>(attributes["green"], "green");
+  cloud.blue = values_or_none<std::uint16_t>(attributes["blue"], "blue");
+  return cloud;
 }
 
 // Moves the vector into an array of the given shape, which frees it. Empty shape: one dimension.

@@ -98,16 +98,9 @@ void append_piece(std::vector<T>& to, std::span<const T> from, std::size_t at, s
   to.assign(from.begin() + static_cast<std::ptrdiff_t>(at), from.begin() + static_cast<std::ptrdiff_t>(at + count));
 }
 
-// The caller's arrays. Empty ones count as zeros.
-struct WrittenArrays {
-  PointArrays places;
-  std::span<const std::uint16_t> intensity, red, green, blue;
-  std::span<const std::uint8_t> classification;
-};
-
-void check_lengths(const WrittenArrays& a) {
-  const std::size_t points = a.places.x.size();
-  for (const std::size_t other : {a.places.y.size(), a.places.z.size()})
+void check_lengths(const ArrayCloud& a) {
+  const std::size_t points = a.x.size();
+  for (const std::size_t other : {a.y.size(), a.z.size()})
     if (other != points) throw Error("x, y and z have different lengths", ExitCode::usage);
   for (const std::size_t other :
        {a.intensity.size(), a.classification.size(), a.red.size(), a.green.size(), a.blue.size()})
@@ -117,14 +110,14 @@ void check_lengths(const WrittenArrays& a) {
 }
 
 // In pieces, so that the copies stay small.
-void write_arrays(CloudWriter& writer, const WrittenArrays& a) {
+void write_arrays(CloudWriter& writer, const ArrayCloud& a) {
   constexpr std::size_t kPiece = std::size_t{1} << 18;
   PointColumns piece;
-  for (std::size_t at = 0; at < a.places.x.size(); at += kPiece) {
-    const std::size_t count = std::min(kPiece, a.places.x.size() - at);
-    append_piece(piece.x, a.places.x, at, count);
-    append_piece(piece.y, a.places.y, at, count);
-    append_piece(piece.z, a.places.z, at, count);
+  for (std::size_t at = 0; at < a.x.size(); at += kPiece) {
+    const std::size_t count = std::min(kPiece, a.x.size() - at);
+    append_piece(piece.x, a.x, at, count);
+    append_piece(piece.y, a.y, at, count);
+    append_piece(piece.z, a.z, at, count);
     if (!a.intensity.empty()) append_piece(piece.intensity, a.intensity, at, count);
     if (!a.classification.empty()) append_piece(piece.classification, a.classification, at, count);
     if (!a.red.empty()) append_piece(piece.red, a.red, at, count);
@@ -134,26 +127,14 @@ void write_arrays(CloudWriter& writer, const WrittenArrays& a) {
   }
 }
 
-template <typename T>
-std::span<const T> values_or_none(const py::object& array, const char* name) {
-  if (array.is_none()) return {};
-  return values_of<T>(array, name);
-}
-
 void write_cloud_python(const std::filesystem::path& path, const py::object& x, const py::object& y,
                         const py::object& z, const py::dict& attributes, const std::string& crs, double scale) {
-  WrittenArrays a{points_of(x, y, z),
-                  values_or_none<std::uint16_t>(attributes["intensity"], "intensity"),
-                  values_or_none<std::uint16_t>(attributes["red"], "red"),
-                  values_or_none<std::uint16_t>(attributes["green"], "green"),
-                  values_or_none<std::uint16_t>(attributes["blue"], "blue"),
-                  values_or_none<std::uint8_t>(attributes["classification"], "classification")};
+  const ArrayCloud a = cloud_of(x, y, z, attributes);
   check_lengths(a);
   CloudWriterOptions options;
   options.crs = crs;
   options.scale = scale;
-  if (!a.places.x.empty())
-    options.offset = {std::floor(a.places.x[0]), std::floor(a.places.y[0]), std::floor(a.places.z[0])};
+  if (!a.x.empty()) options.offset = {std::floor(a.x[0]), std::floor(a.y[0]), std::floor(a.z[0])};
   options.colour = !a.red.empty() || !a.green.empty() || !a.blue.empty();
   const py::gil_scoped_release released;
   CloudWriter writer(path, options);

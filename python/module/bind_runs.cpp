@@ -4,6 +4,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <tuple>
 
@@ -86,6 +87,7 @@ class PythonCallbacks {
 
   RunCallbacks callbacks() {
     RunCallbacks made;
+    made.stop = &stop_;
     if (!progress_.is_none())
       made.progress = [this](const RunProgress& p) {
         call([&] { progress_(p.stage, p.points_done, p.points_total, p.seconds); });
@@ -97,10 +99,11 @@ class PythonCallbacks {
 
   // With the interpreter's lock. Throws what a function threw.
   void rethrow() {
-    if (!fault_) return;
-    accept_runs();
-    throw std::move(*fault_);
+    if (fault_) throw std::move(*fault_);
   }
+
+  // True ends the run, and no other one.
+  std::atomic<bool>& stop() { return stop_; }
 
  private:
   template <typename Function>
@@ -111,12 +114,13 @@ class PythonCallbacks {
       function();
     } catch (py::error_already_set& thrown) {
       fault_ = std::make_unique<py::error_already_set>(std::move(thrown));
-      request_stop();
+      stop_ = true;
     }
   }
 
   py::object progress_, message_;
   std::unique_ptr<py::error_already_set> fault_;
+  std::atomic<bool> stop_{false};
 };
 
 bool in_main_thread() {
@@ -124,8 +128,14 @@ bool in_main_thread() {
   return threading.attr("current_thread")().is(threading.attr("main_thread")());
 }
 
+[[noreturn]] void raise_keyboard_interrupt(const char* sentence) {
+  PyErr_SetString(PyExc_KeyboardInterrupt, sentence);
+  throw py::error_already_set();
+}
+
+// Ctrl-C is raised also where the run ended before it could obey.
 RunReport run_released(const RunOptions& options, PythonCallbacks& python) {
-  InterruptGuard interrupts(in_main_thread());
+  const InterruptGuard interrupts(in_main_thread(), python.stop());
   const RunCallbacks callbacks = python.callbacks();
   try {
     RunReport report;
@@ -134,19 +144,30 @@ RunReport run_released(const RunOptions& options, PythonCallbacks& python) {
       report = run(options, callbacks);
     }
     python.rethrow();
+    if (interrupts.came()) raise_keyboard_interrupt("interrupted; the run had just ended, and its result is whole");
     return report;
   } catch (const Error& fault) {
     python.rethrow();
-    if (fault.code() != ExitCode::interrupted || !InterruptGuard::came()) throw;
-    PyErr_SetString(PyExc_KeyboardInterrupt, fault.what());
-    throw py::error_already_set();
+    if (fault.code() != ExitCode::interrupted || !interrupts.came()) throw;
+    raise_keyboard_interrupt(fault.what());
   }
+}
+
+// The arrays stay alive with the caller's object.
+ArrayCloud input_of(const py::object& given) {
+  ArrayCloud cloud = cloud_of(given.attr("x"), given.attr("y"), given.attr("z"), given.attr("attributes"));
+  cloud.name = given.attr("name").cast<std::string>();
+  cloud.crs = given.attr("crs").cast<std::string>();
+  cloud.scale = given.attr("scale").cast<double>();
+  return cloud;
 }
 
 py::dict run_python(const std::vector<std::filesystem::path>& inputs, const std::filesystem::path& output,
                     const std::vector<std::string>& products, const py::dict& settings, const py::kwargs& more) {
   RunOptions options;
   options.inputs = inputs;
+  for (const py::handle cloud : more["arrays"])
+    options.arrays.push_back(input_of(py::reinterpret_borrow<py::object>(cloud)));
   options.output = output;
   options.products = products;
   apply_settings(options.settings, settings);

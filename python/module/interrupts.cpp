@@ -3,33 +3,36 @@
 
 #include <csignal>
 
-#include "ilot/run.h"
-
 namespace ilot {
 
 namespace {
 
-volatile std::sig_atomic_t g_came = 0;
+// What the signal handler sets: of the call of the main thread, of which there is one at a time.
+std::atomic<std::atomic<bool>*> g_stop{nullptr};
+std::atomic<bool> g_came{false};
 
 void stop_on_signal(int) {
-  g_came = 1;
-  request_stop();
+  g_came = true;
+  if (std::atomic<bool>* stop = g_stop.load()) stop->store(true);
 }
 
 }  // namespace
 
-InterruptGuard::InterruptGuard(bool main_thread) : active_(main_thread) {
-  g_came = 0;
-  if (active_) before_ = std::signal(SIGINT, stop_on_signal);
+InterruptGuard::InterruptGuard(bool main_thread, std::atomic<bool>& stop) : active_(main_thread) {
+  if (!active_) return;
+  g_came = false;
+  g_stop = &stop;
+  before_ = std::signal(SIGINT, stop_on_signal);
 }
 
 InterruptGuard::~InterruptGuard() {
-  if (active_) std::signal(SIGINT, before_);
-  if (came()) accept_runs();
+  if (!active_) return;
+  std::signal(SIGINT, before_);
+  g_stop = nullptr;
 }
 
-bool InterruptGuard::came() {
-  return g_came != 0;
+bool InterruptGuard::came() const {
+  return active_ && g_came;
 }
 
 }  // namespace ilot

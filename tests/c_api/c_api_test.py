@@ -9,6 +9,7 @@ import pathlib
 import re
 import subprocess
 import tempfile
+import threading
 import unittest
 
 EXE, PREFIX = os.environ["ILOT_EXE"], pathlib.Path(os.environ["ILOT_PREFIX"])
@@ -122,6 +123,59 @@ class CInterface(unittest.TestCase):
         streets = self.text(self.ilot.ilot_read_streets, os.fsencode(self.folder / "front"))
         self.assertEqual(set(streets), {"objects", "blocks", "gaps"})
 
+    def test_a_stop_ends_one_run_and_not_that_which_waits(self):
+        statuses = {}
+        begun = threading.Event()
+
+        def second():
+            run = self.run_of(self.folder / "waits")
+            begun.set()
+            statuses["waits"] = self.ilot.ilot_run_start(run)
+            self.ilot.ilot_run_free(run)
+        other = threading.Thread(target=second)
+
+        def stop_when_the_other_waits(user, stage, *rest):
+            if not begun.is_set():
+                other.start()
+                begun.wait()
+            return int(stage == b"planes")
+        stop = PROGRESS(stop_when_the_other_waits)
+        run = self.run_of(self.folder / "first")
+        self.ilot.ilot_run_set_callbacks(run, stop, None, None)
+        self.assertEqual(self.ilot.ilot_run_start(run), INTERRUPTED)
+        other.join()
+        self.assertEqual(statuses["waits"], OK)
+        self.ilot.ilot_run_free(run)
+
+    def test_a_facade_that_was_corrected(self):
+        """A window that was moved by hand has no stated error; its neighbours keep theirs."""
+        front = self.folder / "corrected.laz"
+        subprocess.run([EXE, "scan", "facade-restoration", "-o", front, "--points", "60000", "-q"], check=True)
+        made = self.folder / "uncorrected"
+        subprocess.run([EXE, "run", front, "-o", made, "-q", "--products", "facades", "--no-report", "--no-clouds"], check=True)
+        plan = json.loads((made / "facades/facade-001.json").read_text())
+        window = next(e for e in plan["elements"] if e["kind"] == "window" and len(e["ring"]) == 4)
+        row = {"product": "facades", "edit": "moved", "kind": "window"}
+        for number, corner in ((1, window["ring"][0]), (2, window["ring"][2])):
+            for k, axis in enumerate("xyz"):
+                row[f"{axis}{number}"] = corner[k]
+                row[f"to_{axis}{number}"] = corner[k] + 0.2 * plan["frame"]["right"][k]
+        table = self.folder / "edits.csv"
+        table.write_text(",".join(row) + "\n" + ",".join(map(str, row.values())) + "\n")
+        run = ctypes.c_void_p(self.ilot.ilot_run_new())
+        self.assertEqual(self.ilot.ilot_run_add_input(run, os.fsencode(front)), OK)
+        for name, value in {"output": str(self.folder / "byhand"), "products": "facades", "edits": str(table), "clouds": "false"}.items():
+            self.assertEqual(self.ilot.ilot_run_set_option(run, name.encode(), value.encode()), OK, self.said())
+        self.assertEqual(self.ilot.ilot_run_start(run), OK, self.said())
+        self.ilot.ilot_run_free(run)
+        facade = self.text(self.ilot.ilot_read_facades, os.fsencode(self.folder / "byhand"))[0]
+        hand = [e for e in facade["elements"] if e["status"] == "by hand"]
+        self.assertEqual(len(hand), 1)
+        moved = {edge["status"] for edge in hand[0]["edges"] if edge["error_m"] is None}
+        self.assertEqual(moved, {"by hand"})
+        self.assertAlmostEqual(hand[0]["width_m"], window["width_m"], 6)
+        self.assertTrue(all(edge["error_m"] > 0 for e in facade["elements"] if e["status"] == "seen" for edge in e["edges"]))
+
     def test_a_callback_stops_the_run_and_it_can_be_resumed(self):
         stop = PROGRESS(lambda user, stage, *rest: int(stage == b"planes"))
         run = self.run_of(self.folder / "stopped")
@@ -141,7 +195,6 @@ class CInterface(unittest.TestCase):
         self.assertTrue(all(p["help"] for p in listed))
 
     def test_every_thread_has_its_own_last_error(self):
-        import threading
         cloud = ctypes.c_void_p()
         self.assertEqual(self.ilot.ilot_cloud_open(b"/nowhere/one.laz", ctypes.byref(cloud)), FAILED)
         others = []

@@ -83,6 +83,45 @@ static void refuse_values(void) {
   ilot_run_free(run);
 }
 
+/* Whatever an output held before, it is NULL or 0 after a fault. */
+static void clear_outputs(void) {
+  double x[] = {0, 1, NAN}, rubbish = 0;
+  uint32_t id[3], count = 7, *corners = (uint32_t*)&rubbish;
+  size_t many = 7;
+  uint64_t rows = 7;
+  char* json = (char*)&rubbish;
+  double* planes = &rubbish;
+  ilot_columns columns;
+  ilot_cloud* cloud = (ilot_cloud*)&rubbish;
+  ilot_writer* writer = (ilot_writer*)&rubbish;
+  const double offset[] = {0, 0, 0};
+  memset(&columns, 0, sizeof columns);
+  REFUSED(ilot_cloud_open(NULL, &cloud), "path");
+  EXPECT(cloud == NULL);
+  REFUSED(ilot_cloud_read(NULL, 0, 3, &columns, &rows, &many), "cloud");
+  EXPECT(rows == 0 && many == 0);
+  REFUSED(ilot_cloud_measure(NULL, &json), "cloud");
+  EXPECT(json == NULL);
+  REFUSED(ilot_writer_open("a.gif", NULL, 0.001, offset, 0, &writer), "a.gif");
+  EXPECT(writer == NULL);
+  REFUSED(ilot_euclidean_clusters(x, x, x, 3, 1, id, &count), "not finite");
+  EXPECT(count == 0);
+  many = 7;
+  REFUSED(ilot_find_planes(x, x, x, 3, 1, 1, 1, 3, 0, 0, id, &planes, &many), "not finite");
+  EXPECT(planes == NULL && many == 0);
+  many = 7;
+  REFUSED(ilot_delaunay(x, x, 3, &corners, &many), "not finite");
+  EXPECT(corners == NULL && many == 0);
+  many = 7;
+  REFUSED(ilot_delaunay(x, x, 3, NULL, &many), "corners");
+  EXPECT(many == 0);
+  json = (char*)&rubbish;
+  REFUSED(ilot_alpha_shape(x, x, 3, 1, 0, &json), "not finite");
+  EXPECT(json == NULL);
+  json = (char*)&rubbish;
+  EXPECT(ilot_read_run("/nowhere", &json) != ILOT_OK && json == NULL);
+}
+
 static void write_and_read(const char* path) {
   double x[] = {1, 2, 3}, y[] = {4, 5, 6}, z[] = {7, 8, 9}, offset[] = {0, 0, 0};
   uint8_t classes[] = {2, 6, 2};
@@ -130,6 +169,7 @@ int main(int argc, char** argv) {
   EXPECT(ilot_last_error()[0] == 0);
   refuse_null();
   refuse_values();
+  clear_outputs();
   write_and_read(argv[1]);
   few_points();
   return faults == 0 ? 0 : 1;

@@ -152,3 +152,19 @@ def turned(q, p):
 
 def length(v):
     return math.sqrt(dot(v, v))
+
+
+def property_table(glb, table):
+    """A table of EXT_structural_metadata: its name, and the values of each property."""
+    schema = glb.json["extensions"]["EXT_structural_metadata"]["schema"]["classes"][table["class"]]["properties"]
+    assert set(schema) == set(table["properties"])
+    columns, n = {"name": table["name"]}, table["count"]
+    for name, of in table["properties"].items():
+        data = glb.view(of["values"])
+        if schema[name]["type"] == "STRING":
+            offsets = struct.unpack_from(f"<{n + 1}I", glb.view(of["stringOffsets"]))
+            columns[name] = [data[a:b].decode() for a, b in zip(offsets, offsets[1:])]
+        else:
+            form = "B" if schema[name]["type"] == "ENUM" else {"FLOAT64": "d", "INT64": "q"}[schema[name]["componentType"]]
+            columns[name] = struct.unpack(f"<{n}{form}", data)
+    return columns

@@ -148,7 +148,7 @@ class Exports(unittest.TestCase):
 
     def features(self, glb):
         """id -> triangles, by the features of vertices and the tables of metadata; what tables say is compared."""
-        tables = [self.table(glb, t) for t in glb.json["extensions"]["EXT_structural_metadata"]["propertyTables"]]
+        tables = [readers.property_table(glb, t) for t in glb.json["extensions"]["EXT_structural_metadata"]["propertyTables"]]
         self.assertEqual([t["name"] for t in tables], ["building", "face"])
         buildings, faces = tables
         for name, points, height in zip(buildings["id"], buildings["points"], buildings["h_roof_max"]):
@@ -172,20 +172,6 @@ class Exports(unittest.TestCase):
                     self.assertEqual(faces["surface"][number], p["material"])
                     found.setdefault(name, []).append(tuple((x, -z, y) for x, y, z in t))
         return found
-
-    def table(self, glb, table):
-        schema = glb.json["extensions"]["EXT_structural_metadata"]["schema"]["classes"][table["class"]]["properties"]
-        self.assertEqual(set(schema), set(table["properties"]))
-        columns, n = {"name": table["name"]}, table["count"]
-        for name, of in table["properties"].items():
-            data = glb.view(of["values"])
-            if schema[name]["type"] == "STRING":
-                offsets = struct.unpack_from(f"<{n + 1}I", glb.view(of["stringOffsets"]))
-                columns[name] = [data[a:b].decode() for a, b in zip(offsets, offsets[1:])]
-            else:
-                form = "B" if schema[name]["type"] == "ENUM" else {"FLOAT64": "d", "INT64": "q"}[schema[name]["componentType"]]
-                columns[name] = struct.unpack(f"<{n}{form}", data)
-        return columns
 
     def test_citygml(self):
         """By an XML reader alone: names are in the order of the schema, and coordinates are those of the CityJSON."""
@@ -254,6 +240,30 @@ class Exports(unittest.TestCase):
         box = json.loads((there / "3dtiles" / "tileset.json").read_text())["root"]["boundingVolume"]["box"]
         heights = [p[2] for s in self.solids.values() for p in s.used()]
         self.assertAlmostEqual(2 * box[11], 0.3048006 * (max(heights) - min(heights)), delta=0.5)
+
+    def test_plan_and_heights_from_two_systems(self):
+        """A CRS without one code keeps its heights: those above the geoid EGM96 become heights above the ellipsoid."""
+        pair, there = self.folder / "pair", self.folder / "pair_tiles"
+        must("run", self.folder / "d.laz", "-o", pair, "--products", "roofs", "--no-clouds", "--no-report", "-q", "--crs", "EPSG:2154+5773",
+             codes=(0, 3))
+        self.assertIn("VERTCRS", json.loads((pair / "run.json").read_text())["crs"]["wkt"])
+        must("export", pair, "--to", "3dtiles", "-o", there)
+        tileset = json.loads((there / "3dtiles" / "tileset.json").read_text())
+        x, y, z = tileset["asset"]["extras"]["ilot"]["origin"]
+        done = subprocess.run(["gdaltransform", "-s_srs", "EPSG:2154+5773", "-t_srs", "EPSG:4978"], input=f"{x} {y} {z}\n",
+                              capture_output=True, text=True, check=True)
+        for found, true in zip(tileset["root"]["transform"][12:15], map(float, done.stdout.split())):
+            self.assertAlmostEqual(found, true, delta=0.01)
+
+    def test_ifc_of_nothing(self):
+        """A run of facades that found none: there is nothing to write, and it says so."""
+        bare = self.folder / "bare"
+        shutil.copytree(self.out, bare)
+        run = json.loads((bare / "run.json").read_text())
+        run["products"] = ["facades"]
+        run["results"] = [r for r in run["results"] if not r["path"].startswith("roofs/")]
+        (bare / "run.json").write_text(json.dumps(run))
+        self.refuse([bare, "--to", "ifc", "-o", self.folder / "bare_ifc"], "neither a roof nor a facade")
 
     def test_a_folder_of_the_user_stays(self):
         mine = self.folder / "keep.part"

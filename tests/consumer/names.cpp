@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // All public headers in one file: none hides another, none needs another first.
+#include <ilot/array_cloud.h>
 #include <ilot/cloud_info.h>
 #include <ilot/clouds.h>
 #include <ilot/clusters.h>

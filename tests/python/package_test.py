@@ -185,6 +185,54 @@ class Package(unittest.TestCase):
         done = subprocess.run([sys.executable, "-c", script, self.cloud, room], capture_output=True, text=True, timeout=300)
         self.assertEqual(done.stdout.strip(), "True", done.stderr)
 
+    def test_clouds_in_memory_are_as_good_as_files(self):
+        attributes = {name: self.points[name] for name in ("intensity", "classification") if name in self.points}
+        file = self.folder / "same.laz"
+        ilot.write_cloud(file, *self.places, **attributes, crs="EPSG:2154")
+        cloud = ilot.Cloud(*self.places, **attributes, crs="EPSG:2154", name="same")
+        of_file = ilot.run(file, self.folder / "of_file", products=["planes", "roofs"], report=False)
+        in_memory = ilot.run(cloud, self.folder / "in_memory", products=["planes", "roofs"], report=False)
+        files = [f for f in of_file.files if f not in of_file.clouds]
+        self.assertGreater(len(files), 3)
+        self.assertEqual(files, [f for f in in_memory.files if f not in in_memory.clouds])
+        for name in files:
+            self.assertEqual((of_file.folder / name).read_bytes(), (in_memory.folder / name).read_bytes(), name)
+        self.assertEqual([str(c) for c in in_memory.clouds], ["points/same.npy"])
+        labels = ilot.read_labels(in_memory.folder)["same"]
+        self.assertIsInstance(labels, np.memmap)
+        self.assertEqual(len(labels), len(cloud.x))
+        stored = ilot.read_cloud(of_file.folder / of_file.clouds[0], extra=labels.dtype.names)
+        for name in labels.dtype.names:
+            self.assertTrue((labels[name] == stored[name]).all(), name)
+        self.assertGreater((labels["plane_id"] > 0).mean(), 0.5)
+        half = ilot.run([cloud, file], self.folder / "both", report=False)
+        self.assertEqual((half.points_read, len(half.clouds)), (2 * len(cloud.x), 2))
+
+    def test_clouds_in_memory_that_are_refused(self):
+        x, y, z = self.places
+        there = self.folder / "refused"
+        bad = x.copy()
+        bad[17] = np.nan
+        for cloud, words in ((ilot.Cloud(bad, y, z), "x[17] = nan is not finite"), (ilot.Cloud(x, y, z[:-1].copy()), "different lengths"),
+                             (ilot.Cloud(x.astype("f4"), y, z), "float32"), (ilot.Cloud(x, y, z, scale=0), "scale"),
+                             (ilot.Cloud(x, y, z, name="a/b"), "no name"), (ilot.Cloud(x * 1e6, y, z), "2^31"),
+                             (ilot.Cloud(x, y, z, crs="EPSG:1"), "EPSG:1"), (ilot.Cloud(*[np.array([])] * 3), "no points")):
+            self.refused(words, ilot.run, cloud, there)
+        self.assertFalse(there.exists())
+
+    def test_a_cloud_that_changed_is_not_resumed(self):
+        def stop(stage, *_):
+            if stage == "planes":
+                raise ValueError("enough")
+        x, y, z = self.places
+        there = self.folder / "changed"
+        with self.assertRaises(ValueError):
+            ilot.run(ilot.Cloud(x, y, z), there, progress=stop)
+        higher = z.copy()
+        higher[5] += 1
+        self.refused("changed", ilot.run, ilot.Cloud(x, y, higher), there, existing="resume")
+        self.assertEqual(ilot.run(ilot.Cloud(x, y, z), there, existing="resume", report=False).exit, 0)
+
     def test_what_a_callback_raises_stops_the_run(self):
         def raise_it(*_):
             raise ValueError("enough")
@@ -192,6 +240,49 @@ class Package(unittest.TestCase):
             ilot.run(self.cloud, self.folder / "stopped", progress=raise_it)
         self.assertFalse((self.folder / "stopped/run.json").exists())
         self.assertEqual(ilot.run(self.cloud, self.folder / "stopped", existing="resume").exit, 0)
+
+    def test_a_stop_ends_one_run_and_not_that_which_waits(self):
+        results, begun = [], threading.Event()
+
+        def second():
+            begun.set()
+            results.append(ilot.run(self.cloud, self.folder / "waits", report=False))
+        other = threading.Thread(target=second)
+
+        def stop_when_the_other_waits(*_):
+            other.start()
+            begun.wait()
+            raise ValueError("enough")
+        with self.assertRaisesRegex(ValueError, "enough"):
+            ilot.run(self.cloud, self.folder / "first", progress=stop_when_the_other_waits)
+        other.join()
+        self.assertEqual(results[0].exit, 0)
+
+    def test_ctrl_c_ends_the_run_of_the_main_thread_alone(self):
+        """The main thread waits for the run of another thread when Ctrl-C comes: it waits no longer, and that run goes on."""
+        script = ("import ilot, os, signal, sys, threading\n"
+                  "works, may_end, results = threading.Event(), threading.Event(), []\n"
+                  "def hold(stage, *rest):\n"
+                  "    works.set()\n"
+                  "    may_end.wait()\n"
+                  "other = threading.Thread(target=lambda: results.append(ilot.run(sys.argv[1], sys.argv[2] + '/other', progress=hold)))\n"
+                  "other.start()\n"
+                  "works.wait()\n"
+                  "while True:\n"
+                  "    threading.Timer(0.5, os.kill, [os.getpid(), signal.SIGINT]).start()\n"
+                  "    try:\n"
+                  "        ilot.run(sys.argv[1], sys.argv[2] + '/main')\n"
+                  "    except KeyboardInterrupt as fault:\n"
+                  "        if str(fault):  # not Python's own, where Ctrl-C came too early\n"
+                  "            print(fault)\n"
+                  "            break\n"
+                  "may_end.set()\n"
+                  "other.join()\n"
+                  "print(results[0].exit)\n")
+        done = subprocess.run([sys.executable, "-c", script, self.cloud, self.folder], capture_output=True, text=True, timeout=300)
+        self.assertIn("waited for another run", done.stdout, done.stderr)
+        self.assertEqual(done.stdout.splitlines()[-1], "0", done.stderr)
+        self.assertFalse((self.folder / "main").exists())
 
     def test_other_threads_work_meanwhile(self):
         results = []
@@ -230,6 +321,12 @@ class Package(unittest.TestCase):
                 continue
             done = subprocess.run([sys.executable, "-c", example], cwd=folder, capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, example + done.stderr)
+
+    def test_importing_is_quick(self):
+        """NumPy takes longer to load than the rest, and a run needs none of it."""
+        script = "import ilot, sys; ilot.parameters(); print('numpy' in sys.modules)"
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+        self.assertEqual(done.stdout.strip(), "False")
 
     def test_everything_public_is_documented(self):
         for name in ilot.__all__:

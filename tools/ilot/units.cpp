@@ -38,12 +38,18 @@ std::uint64_t parse_bytes(const std::string& option, const std::string& text) {
 std::string parse_crs(const std::string& option, const std::string& text) {
   if (text.empty()) return text;
   const std::string name = upper(text);
-  int code = 0;
-  const char* end = name.data() + name.size();
-  const bool prefixed = name.starts_with("EPSG:");
-  const auto parsed = std::from_chars(name.data() + (prefixed ? 5 : name.size()), end, code);
-  if (!prefixed || parsed.ec != std::errc() || parsed.ptr != end || code < 1024 || code > 999999) {
-    throw Error(option + " " + text + ": EPSG:n is expected, as in EPSG:2154", ExitCode::usage);
+  const auto is_code = [](std::string_view digits) {
+    int code = 0;
+    const char* end = digits.data() + digits.size();
+    const auto parsed = std::from_chars(digits.data(), end, code);
+    return parsed.ec == std::errc() && parsed.ptr == end && code >= 1024 && code <= 999999;
+  };
+  const std::string_view codes = std::string_view(name).substr(std::min<std::size_t>(5, name.size()));
+  const std::size_t plus = codes.find('+');
+  const bool heights_known = plus == codes.npos || is_code(codes.substr(plus + 1));
+  if (!name.starts_with("EPSG:") || !is_code(codes.substr(0, plus)) || !heights_known) {
+    throw Error(option + " " + text + ": EPSG:n is expected, as in EPSG:2154, or EPSG:2154+5720 with that of heights",
+                ExitCode::usage);
   }
   return name;
 }

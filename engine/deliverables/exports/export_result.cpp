@@ -101,9 +101,14 @@ ExportFrame frame_of(const ResultFolder& result, const ExportParams& params) {
     frame.crs = given_crs(params.crs, result.metres_per_unit);
     frame.crs_name = frame.crs.epsg != 0 ? "EPSG:" + std::to_string(frame.crs.epsg) : frame.crs.name;
   } else {
-    frame.crs_name = result.run.value("crs", nlohmann::ordered_json::object()).value("name", "none");
+    const auto record = result.run.value("crs", nlohmann::ordered_json::object());
+    frame.crs_name = record.value("name", "none");
     if (frame.crs_name == "none") frame.crs_name.clear();
-    if (frame.crs_name.starts_with("EPSG:")) frame.crs = crs_from_text(frame.crs_name);
+    const std::string wkt = record.value("wkt", "");
+    if (frame.crs_name.starts_with("EPSG:"))
+      frame.crs = crs_from_text(frame.crs_name);
+    else if (!wkt.empty())
+      frame.crs = crs_from_text(wkt);
   }
   // Heads of files have the name on one line.
   std::replace_if(
@@ -185,6 +190,9 @@ void export_facades(const Scene& scene, const fs::path& folder, const ExportFram
 
 void export_models(const Scene& scene, const fs::path& folder, const ExportParams& params, ExportFrame frame,
                    ExportSummary& summary) {
+  if (wants(params, "ifc") && !scene.roofs && scene.facades.empty())
+    throw Error(scene.result.path.string() + ": has neither a roof nor a facade, so there is nothing for ifc to write",
+                ExitCode::usage);
   place_origin(scene, frame);
   const std::vector<Sink> sinks = sinks_of(scene, folder, params, frame, summary);
   if (scene.roofs)

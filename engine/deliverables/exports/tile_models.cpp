@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "engine/deliverables/exports/tile_content.h"
 #include "engine/deliverables/solids/building_fields.h"
@@ -21,16 +22,18 @@ PropertyClass building_class() {
   return c;
 }
 
-// The attribute under its own name or under that of roofer's style, in the type of the column.
+// The attribute under its own name or under one of roofer's style, in the type of the column.
 PropertyValue value_of(const BuildingModel& model, const BuildingField& field) {
-  const auto number = [&] {
-    const auto own = model.number(field.name);
-    return own || !field.roofer ? own : model.number(field.roofer);
-  };
-  if (field.kind == FieldKind::real) return number().value_or(kNoReal);
-  if (field.kind == FieldKind::whole) return static_cast<std::int64_t>(number().value_or(double{kNoWhole}));
-  const auto text = model.text(field.name);
-  return text ? *text : field.roofer ? model.text(field.roofer).value_or("") : std::string();
+  const std::vector<std::string> names = names_of(field);
+  if (field.kind == FieldKind::text) {
+    for (const std::string& name : names)
+      if (const auto text = model.text(name)) return *text;
+    return std::string();
+  }
+  std::optional<double> number;
+  for (auto name = names.begin(); !number && name != names.end(); ++name) number = model.number(*name);
+  if (field.kind == FieldKind::real) return number.value_or(kNoReal);
+  return static_cast<std::int64_t>(number.value_or(double{kNoWhole}));
 }
 
 // A box with its lower side at the base, as wide, long and high as the object.

@@ -146,6 +146,13 @@ Attributes styled_attributes(std::span<const Building> levels, AttributeStyle st
   return out;
 }
 
+std::vector<std::string> names_of(const BuildingField& field) {
+  std::vector<std::string> names{field.name};
+  if (field.roofer) names.push_back(field.roofer);
+  if (names[0] == "rmse_m") names.push_back(kBlockRmse);
+  return names;
+}
+
 std::vector<std::pair<std::string, FieldKind>> attribute_columns(AttributeStyle style) {
   std::vector<std::pair<std::string, FieldKind>> columns = columns_of(kBuildingFields, style);
   if (style == AttributeStyle::roofer)

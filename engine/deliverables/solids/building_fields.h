@@ -39,6 +39,9 @@ Attributes styled_attributes(std::span<const Building> levels, AttributeStyle st
 std::vector<std::pair<std::string, FieldKind>> attribute_columns(AttributeStyle style);
 std::vector<std::pair<std::string, FieldKind>> face_columns(AttributeStyle style);
 
+// Returns the names that a result may have for the field: its own, then those of roofer's style.
+std::vector<std::string> names_of(const BuildingField& field);
+
 // True for the names of the tables, in both styles; others are a footprint's.
 bool is_measured(const std::string& name);
 

@@ -132,6 +132,10 @@ std::string crs_name(const Crs& crs) {
   return crs.name.empty() ? "none" : crs.name;
 }
 
+CrsRecord crs_record(const Crs& crs) {
+  return {crs_name(crs), crs.metres_per_unit, crs.epsg == 0 ? crs.wkt : std::string()};
+}
+
 double resolve_crs(RunInputs& inputs, const RunOptions& options, Progress& progress, RunRecord& record) {
   inputs.crs = agreed_crs(inputs, options);
   if (inputs.crs.geographic || !options.to_crs.empty()) {

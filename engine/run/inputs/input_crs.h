@@ -3,12 +3,16 @@
 #pragma once
 #include <string>
 
+#include "engine/report/run_record.h"
 #include "engine/run/inputs/open_inputs.h"
 
 namespace ilot {
 
 // Returns "EPSG:2154", else the name; "none" when nothing is known.
 std::string crs_name(const Crs& crs);
+
+// What run.json says of the CRS of the results.
+CrsRecord crs_record(const Crs& crs);
 
 // Chooses inputs.crs and changes the readers when products cannot work on their coordinates:
 // - Degrees that are outside their range are not accepted: the CRS is then unknown.

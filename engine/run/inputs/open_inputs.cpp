@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engine/error.h"
+#include "engine/formats/arrays/array_reader.h"
 #include "engine/formats/crs.h"
 #include "engine/pass/pass.h"
 #include "engine/run/inputs/input_crs.h"
@@ -51,8 +52,8 @@ void note_input(const CloudInfo& info, const RunOptions& options, Progress& prog
          options, progress, record);
   }
   std::error_code ignored;
-  record.inputs.push_back({info.path.string(), info.format, crs_name(info.crs), info.points,
-                           std::filesystem::file_size(info.path, ignored), "", info.dialect});
+  const std::uint64_t bytes = is_in_memory(info) ? 0 : std::filesystem::file_size(info.path, ignored);
+  record.inputs.push_back({info.path.string(), info.format, crs_name(info.crs), info.points, bytes, "", info.dialect});
 }
 
 // Writes one line for all inputs that write numbers in the same way.
@@ -76,6 +77,12 @@ RunInputs open_inputs(const RunOptions& options, Progress& progress, RunRecord& 
     stop_if_asked();
     auto reader = try_open(path, open, options, progress, record);
     if (!reader) continue;
+    note_input(reader->info(), options, progress, record);
+    inputs.points += reader->info().points;
+    inputs.readers.push_back(std::move(reader));
+  }
+  for (const ArrayCloud& cloud : options.arrays) {
+    auto reader = open_arrays(cloud);
     note_input(reader->info(), options, progress, record);
     inputs.points += reader->info().points;
     inputs.readers.push_back(std::move(reader));

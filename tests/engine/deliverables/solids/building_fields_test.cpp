@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -49,6 +50,24 @@ TEST(BuildingFields, RoofersStyleRenamesAndAdds) {
   EXPECT_NEAR(std::get<double>(at(out, "rf_volume_lod12")), 360, 1e-9);
   EXPECT_NEAR(std::get<double>(at(out, "rf_volume_lod22")), 360, 1e-9);
   EXPECT_THROW(at(out, "h_roof_50"), std::out_of_range);
+}
+
+TEST(BuildingFields, TheNamesOfAFieldFindItInEveryStyle) {
+  for (const char* status : {"lod22", "lod12", "footprint_only"}) {
+    std::vector<Building> levels = two_levels();
+    levels[0].attributes[0].second = std::string(status);
+    levels[0].attributes.emplace_back("rmse_m", 0.25);
+    const Attributes out = styled_attributes(levels, AttributeStyle::roofer, 1);
+    for (const BuildingField& field : building_fields()) {
+      const bool had = std::any_of(levels[0].attributes.begin(), levels[0].attributes.end(),
+                                   [&](const auto& a) { return a.first == field.name; });
+      const std::vector<std::string> names = names_of(field);
+      const auto found = std::count_if(out.begin(), out.end(), [&](const auto& a) {
+        return std::find(names.begin(), names.end(), a.first) != names.end();
+      });
+      EXPECT_EQ(found, had ? 1 : 0) << field.name << " " << status;
+    }
+  }
 }
 
 TEST(BuildingFields, EveryAttributeOfAModelIsInTheTable) {
