@@ -11,8 +11,6 @@ namespace {
 
 // Derived: a tip of this length and width would contain nine points or more, so one is seen.
 constexpr double kBareTipSteps = 3;
-// Choice: eaves that the cloud does not show are rarely a storey below what it shows; a larger fall digs pits.
-constexpr double kStorey = 3;  // metres
 
 // Returns per cell whether it is too low somewhere on the plane of its label.
 std::vector<std::uint8_t> fallen_cells(const RoofPlanes& planes, const Partition& cells,
@@ -39,8 +37,7 @@ double too_high(const RoofPlane& plane, FlatPoint at, const FaceLimits& limits) 
 }
 
 double too_low(const RoofPlane& plane, FlatPoint at, const FaceLimits& limits) {
-  const double lowest =
-      std::min(plane.lowest - most_overshoot(plane, limits), std::max(limits.ground, plane.lowest - kStorey));
+  const double lowest = std::min(plane.lowest - most_overshoot(plane, limits), limits.ground);
   return lowest - plane.at(at.x, at.y);
 }
 

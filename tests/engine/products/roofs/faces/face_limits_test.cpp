@@ -17,7 +17,7 @@ using test::rectangle;
 using test::roof_site;
 
 // Falls by 0.5 per metre of x; its points lie between the heights 4 and 8.
-RoofPlane slope() {
+RoofPlane falling_plane() {
   RoofPlane plane;
   plane.gx = -0.5;
   plane.c = 8;
@@ -26,18 +26,18 @@ RoofPlane slope() {
   return plane;
 }
 
-TEST(FaceLimits, AFaceMayFallAsFarAsItMayRiseAndFartherDownToTheGround) {
+TEST(FaceLimits, AFaceMayFallToTheGroundOrAsFarAsItMayRise) {
   const FaceLimits limits{0.3, 0.5, 2};
-  EXPECT_NEAR(too_high(slope(), {-2, 0}, limits), 0.5, 1e-12);  // 9 m, may be 8.5
-  EXPECT_NEAR(too_low(slope(), {14, 0}, limits), 1, 1e-12);     // 1 m, and the ground is at 2
-  EXPECT_LE(too_low(slope(), {12, 0}, limits), 1e-12);
-  EXPECT_NEAR(too_low(slope(), {16, 0}, {0.3, 0.5, -50}), 1, 1e-12);  // 0 m, a storey below the points is 1
-  EXPECT_NEAR(too_low(slope(), {10, 0}, {0.3, 0.5, 6}), 0.5, 1e-12);  // 3 m, ground above the points: 3.5 are left
-  EXPECT_NEAR(most_overshoot(slope(), {2, 0.5, 0}), 3, 1e-12);        // three steps' rise
+  EXPECT_NEAR(too_high(falling_plane(), {-2, 0}, limits), 0.5, 1e-12);  // 9 m, may be 8.5
+  EXPECT_NEAR(too_low(falling_plane(), {14, 0}, limits), 1, 1e-12);     // 1 m, and the ground is at 2
+  EXPECT_LE(too_low(falling_plane(), {12, 0}, limits), 1e-12);
+  EXPECT_NEAR(too_low(falling_plane(), {10, 0}, {0.3, 0.5, 6}), 0.5,
+              1e-12);                                                   // 3 m, ground above the points: 3.5 are left
+  EXPECT_NEAR(most_overshoot(falling_plane(), {2, 0.5, 0}), 3, 1e-12);  // three steps' rise
 }
 
 TEST(FaceLimits, TheEndOfThePointsIsLevelAndCrossesTheOutline) {
-  RoofPlane plane = slope();
+  RoofPlane plane = falling_plane();
   plane.gy = 0.25;
   const SitePolygon outline = rectangle(20, 10);
   const FlatEdge line = end_of_points(plane, outline);
@@ -51,7 +51,7 @@ TEST(FaceLimits, CellsThatFallBecomeLevelAtTheLowestPoint) {
   const Partition cells = part(rectangle(40, 10), std::vector<FlatEdge>{cut});
   ASSERT_EQ(cells.regions, 2u);
   RoofPlanes planes;
-  planes.planes = {slope()};
+  planes.planes = {falling_plane()};
   const FaceLimits limits{0.3, 0.5, 0};
   std::vector<std::uint32_t> label{1, 1};
   EXPECT_EQ(falling_planes(planes, cells, label, limits), std::vector<std::uint32_t>{0});
@@ -72,8 +72,8 @@ RoofSite cut_off(double seen, const std::function<double(double, double)>& heigh
 
 TEST(FaceLimits, NoRoofFallsBelowTheGroundWhereTheCloudEnds) {
   const auto lean_to = [](double x, double) { return 9 - 0.6 * x; };
-  const auto gable = [](double x, double) { return 9 - 0.8 * std::abs(x - 4); };
-  for (const RoofSite& site : {cut_off(8, lean_to), cut_off(8, gable)}) {
+  const auto ridge = [](double x, double) { return 9 - 0.8 * std::abs(x - 4); };
+  for (const RoofSite& site : {cut_off(8, lean_to), cut_off(8, ridge)}) {
     const RoofModel m = model_roof(site, {}, 1);
     ASSERT_EQ(m.status, RoofStatus::lod22);
     EXPECT_TRUE(validate_building(m.lod22, m.lod22.vertices.front(), 0.0001).empty());
