@@ -85,7 +85,8 @@ def split_edges(corners, edges):
 
 
 def outer_rings(corners, edges):
-    """Returns the outer ring of each connected part: from its leftmost corner always along the rightmost edge."""
+    """Returns the outer ring of each connected part: from its leftmost corner always along the rightmost edge. Parts that
+    stand within another part, such as dormers, have none of their own: from above they are not at the border."""
     around = {}
     for a, b in edges:
         around.setdefault(a, []).append(b)
@@ -113,7 +114,17 @@ def outer_rings(corners, edges):
             ring.append(at)
             at, back = after, heading(after, at)
         rings.append(without_spikes(ring, corners))
-    return [r for r in rings if len(r) >= 3]
+    rings = [r for r in rings if len(r) >= 3]
+    return [r for r in rings if not any(other is not r and all(within(c, other) for c in r) for other in rings)]
+
+
+def within(p, ring):
+    """Returns whether a point is in a ring, by the edges that a ray from it crosses."""
+    crossed = 0
+    for (ax, ay), (bx, by) in zip(ring, ring[1:] + ring[:1]):
+        if (ay > p[1]) != (by > p[1]) and p[0] < ax + (p[1] - ay) / (by - ay) * (bx - ax):
+            crossed += 1
+    return crossed % 2 == 1
 
 
 def without_spikes(ring, corners):

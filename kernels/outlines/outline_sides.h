@@ -18,9 +18,9 @@ struct OutlineSide {
   int family = -1;       // main direction to which the side is turned; -1 = none
 };
 
-// Returns the sides of each ring. The boundary is split within the tolerance, lines are fitted, and they are turned to
-// the main directions of all rings. Short cuts across corners are removed, and sides that continue each other are
-// joined. Rings and tolerance are in lattice units near the origin.
+// Returns the sides of each ring. The main directions of all rings come from lines through parts of the boundary that
+// are straight within the tolerance. Then each ring is divided into the fewest sides that the boundary points allow
+// (side_split.h), most of them along the main directions. Rings and tolerance are in lattice units near the origin.
 std::vector<std::vector<OutlineSide>> sides_of(std::span<const std::vector<Point2>> rings, double tolerance);
 
 // Computes where two lines meet. Returns false when they are too nearly parallel.

@@ -15,17 +15,17 @@ struct RegulariseParams {
 };
 
 // Regularises one polygon: its outer ring first, counter-clockwise, then the holes, clockwise, as alpha shapes give
-// them. Boundary points are split into edges at a distance tolerance (Douglas, Peucker 1973). A line is fitted to each
-// edge by total least squares. A line is turned parallel or perpendicular to a main direction of the polygon where the
-// turn stays within the tolerance. Lines that continue each other within the tolerance become one, or are joined by a
-// step perpendicular to them. Short cuts across a corner are removed.
-// Main directions are the directions of most of the length, at most three. Edges that agree with none keep their own.
-// Edges move out by the root of 3 times the scatter of their boundary points. This is half a step where points end
-// anywhere within a step of the edge, and zero where they are on it.
-// The result never crosses itself. The rings keep their order and orientation, and vertices are at least one unit
-// apart. Where the result would cross itself, the edges are not moved out. Where that fails too, the boundary is only
-// thinned within the tolerance. Holes that vanish are left out. The result depends on the rings alone and moves with
-// them. O(n log n) in boundary points, O(edges^2).
+// them. Main directions are the directions of most of the length, at most three, each with the one across it. They are
+// found on parts of the boundary that are straight within the tolerance (Douglas, Peucker 1973). The boundary points
+// are then divided into sides so that a list of the sides and of the points beside them is shortest (side_split.h): a
+// side along a main direction costs less than one in a direction of its own, and the line of that one is fitted by
+// total least squares. Parallel sides that follow each other are joined by a step perpendicular to them. Corners are
+// where lines meet, so inner corners that the boundary cuts across are whole. Edges move out by the root of 3 times the
+// scatter of their boundary points. This is half a step where points end anywhere within a step of the edge, and zero
+// where they are on it. The result never crosses itself. The rings keep their order and orientation, and vertices are
+// at least one unit apart. Where the result would cross itself, the edges are not moved out. Where that fails too, the
+// boundary is only thinned within the tolerance. Holes that vanish are left out. The result depends on the rings alone
+// and moves with them. O(boundary points x points of a side).
 std::vector<std::vector<Point2>> regularise(std::span<const std::vector<Point2>> rings, const RegulariseParams& params);
 
 }  // namespace ilot

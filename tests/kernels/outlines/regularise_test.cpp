@@ -123,6 +123,19 @@ TEST(Regularise, AStepInAWallStaysAStep) {
   EXPECT_LT(worst_corner(found[0], truth), 250);
 }
 
+TEST(Regularise, AnInnerCornerThatTheBoundaryCutsAcrossIsSquare) {
+  const auto truth = turned({{0, 0}, {15000, 0}, {15000, 6000}, {7000, 6000}, {7000, 12000}, {0, 12000}}, 31);
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Rng rng(seed);
+    Ring ring = scanned(truth, kStep, kStep, rng);
+    std::erase_if(ring, [&](Point2 p) { return std::hypot(p.x - truth[3].x, p.y - truth[3].y) < 900; });
+    const auto found = regularise(std::vector<Ring>{ring}, kParams);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].size(), 6u) << seed;
+    EXPECT_LT(worst_corner(found[0], truth), 250) << seed;
+  }
+}
+
 TEST(Regularise, ACourtyardMovesIntoItself) {
   Rng rng(10);
   const std::vector<Corner> outer{{0, 0}, {30000, 0}, {30000, 24000}, {0, 24000}};

@@ -25,8 +25,6 @@ constexpr double kForeign = 0.3;  // share of a point's area; cost of a point on
 constexpr double kFar = 1;  // further shares that a point costs per metre off the plane, up to one metre
 // Choice: half: such a point is vegetation as often as roof.
 constexpr double kUnlabelled = 0.5;  // share of a point's area that a point without a plane can cost
-// Derived: the comment on the line.
-constexpr double kBareTipSteps = 3;  // a tip of this length and width would contain nine points or more, so one is seen
 constexpr int kRounds = 8;
 constexpr std::size_t kMostCandidates = 1u << 18;  // of all cells together; 64 bytes each with all that belongs to them
 constexpr std::uint32_t kNoCellLabel = 0xffffffffu;
@@ -79,7 +77,7 @@ class Labelling {
     find_borders();
     if (!find_candidates()) return;
     add_points(cell_of_point);
-    forbid_overshoot();
+    forbid_beyond_limits();
   }
 
   // The result is empty where there are too many candidates.
@@ -149,13 +147,13 @@ class Labelling {
     }
   }
 
-  void forbid_overshoot() {
+  void forbid_beyond_limits() {
     const auto check = [&](std::uint32_t region, FlatPoint at) {
       if (region == kOutside) return;
       for (Candidate& c : candidates_[region - 1]) {
         const RoofPlane& plane = planes_.planes[c.plane];
-        const double over =
-            plane.at(at.x, at.y) - plane.highest - most_overshoot(plane, planes_.step, params_.overshoot);
+        double over = too_high(plane, at, params_.limits);
+        if (params_.forbid_falls) over = std::max(over, too_low(plane, at, params_.limits));
         if (over > 0) c.cost = std::max(c.cost, kForbidden + cost_of(std::min(over, 1e4)));
       }
     };
@@ -277,10 +275,6 @@ class Labelling {
 };
 
 }  // namespace
-
-double most_overshoot(const RoofPlane& plane, double step, double overshoot) {
-  return std::max(overshoot, kBareTipSteps * step * std::sqrt(plane.gx * plane.gx + plane.gy * plane.gy));
-}
 
 std::vector<std::uint32_t> label_cells(const RoofSite& site, const RoofPlanes& planes, const Partition& cells,
                                        std::span<const std::uint32_t> cell_of_point, const CellLabelParams& params) {

@@ -5,25 +5,23 @@
 #include <span>
 #include <vector>
 
+#include "engine/products/roofs/faces/face_limits.h"
 #include "engine/products/roofs/faces/partition.h"
 #include "engine/products/roofs/faces/roof_planes.h"
 
 namespace ilot {
 
 struct CellLabelParams {
-  double border = 0.15;    // m2 of contradicting points; cost of a metre of border between two faces
-  double wall = 0.1;       // m2; cost of a square metre of wall between them, up to a height of 1 m
-  double overshoot = 0.5;  // metres above its highest point that a face may rise; a steep face: three steps' rise
+  double border = 0.15;  // m2 of contradicting points; cost of a metre of border between two faces
+  double wall = 0.1;     // m2; cost of a square metre of wall between them, up to a height of 1 m
+  FaceLimits limits;
+  bool forbid_falls = false;  // a face may also not fall below its limits
 };
-
-// How far a face may rise above its highest point, in metres. Its tip, or a face that has narrowed to nothing, is as
-// steep as the rest and may be without a point for some steps.
-double most_overshoot(const RoofPlane& plane, double step, double overshoot);
 
 // Returns a plane (1 + index) for every cell so that the sum of these costs is least:
 //  - points that lie off their cell's plane: each with the area it stands for, and twice that from a metre on,
 //  - borders between cells with different planes: by length and by the height of the wall along them,
-//  - cells whose plane would rise above its points.
+//  - cells whose plane would be beyond its limits.
 // The method is alpha-expansion [Boykov, Veksler, Zabih 2001] with integer capacities. Planes are expanded in the order
 // of their numbers until nothing changes, for at most 8 rounds, so the result depends on the input alone. The border's
 // cost is a metric over planes, so every expansion is one minimum cut (least_cut.h). A plane is a candidate only near

@@ -44,48 +44,80 @@ PointCounts count_points(const RoofPlanes& planes, std::span<const std::uint32_t
   return counts;
 }
 
-// Gives the smallest face that cannot stay to its neighbour. Returns false when all faces can stay.
-bool give_one_away(const Partition& cells, const std::vector<double>& areas, const PointCounts& counts,
-                   double least_area, std::vector<std::uint32_t>& label) {
-  const Components c = components_of(cells, label);
-  std::vector<double> area(c.count + 1, 0);
-  std::vector<std::uint32_t> points(c.count + 1, 0);
+// The faces of the labels so far: what decides which of them can stay, and their borders.
+struct Draft {
+  Components components;
+  std::vector<double> area;
+  std::vector<std::uint32_t> points;
+  std::vector<std::map<std::uint32_t, double>> shared;  // per face: length of its borders by the neighbour's label
+};
+
+Draft draft_of(const Partition& cells, const std::vector<double>& areas, const PointCounts& counts,
+               const std::vector<std::uint32_t>& label) {
+  Draft d{components_of(cells, label), {}, {}, {}};
+  const Components& c = d.components;
+  d.area.resize(c.count + 1);
+  d.points.resize(c.count + 1);
+  d.shared.resize(c.count + 1);
   for (std::uint32_t r = 0; r < cells.regions; ++r) {
-    area[c.of_cell[r]] += areas[r + 1];
+    d.area[c.of_cell[r]] += areas[r + 1];
     const auto at = counts[r].find(label[r]);
-    if (at != counts[r].end()) points[c.of_cell[r]] += at->second;
+    if (at != counts[r].end()) d.points[c.of_cell[r]] += at->second;
   }
-  std::vector<std::map<std::uint32_t, double>> shared(c.count + 1);  // length by the neighbour's label
   for (const PartitionEdge& e : cells.edges) {
     if (e.left == kOutside || e.right == kOutside) continue;
     const std::uint32_t a = c.of_cell[e.left - 1], b = c.of_cell[e.right - 1];
     if (a == b) continue;
-    shared[a][label[e.right - 1]] += length_of(cells, e);
-    shared[b][label[e.left - 1]] += length_of(cells, e);
+    d.shared[a][label[e.right - 1]] += length_of(cells, e);
+    d.shared[b][label[e.left - 1]] += length_of(cells, e);
   }
-  std::uint32_t chosen = 0;
-  for (std::uint32_t k = 1; k <= c.count; ++k) {
-    if ((area[k] >= least_area && points[k] > 0) || shared[k].empty()) continue;
-    if (chosen == 0 || area[k] < area[chosen]) chosen = k;
+  return d;
+}
+
+// Returns true when the plane would fall too low at a corner of the face.
+bool falls(const RoofPlane& plane, const Partition& cells, const Components& c, std::uint32_t face,
+           const FaceLimits& limits) {
+  const auto low = [&](std::uint32_t v) {
+    return too_low(plane, {cells.vertices[v].x / 1000.0, cells.vertices[v].y / 1000.0}, limits) > 0;
+  };
+  return std::any_of(cells.edges.begin(), cells.edges.end(), [&](const PartitionEdge& e) {
+    const bool around = (e.left != kOutside && c.of_cell[e.left - 1] == face) ||
+                        (e.right != kOutside && c.of_cell[e.right - 1] == face);
+    return around && (low(e.from) || low(e.to));
+  });
+}
+
+// Gives the smallest face that cannot stay to its neighbour. Returns false when all faces stay.
+bool give_one_away(const RoofPlanes& planes, const Partition& cells, const std::vector<double>& areas,
+                   const PointCounts& counts, const RoofFaceParams& params, std::vector<std::uint32_t>& label) {
+  const Draft d = draft_of(cells, areas, counts, label);
+  std::vector<std::uint32_t> leaving;
+  for (std::uint32_t k = 1; k <= d.components.count; ++k)
+    if (d.area[k] < params.least_area || d.points[k] == 0) leaving.push_back(k);
+  std::stable_sort(leaving.begin(), leaving.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return d.area[a] < d.area[b]; });
+  for (const std::uint32_t face : leaving) {
+    std::uint32_t to = 0;
+    double longest = -1;
+    for (const auto& [plane, length] : d.shared[face])
+      if (length > longest && !falls(planes.planes[plane - 1], cells, d.components, face, params.limits))
+        std::tie(to, longest) = std::pair(plane, length);
+    if (to == 0) continue;
+    for (std::uint32_t r = 0; r < cells.regions; ++r)
+      if (d.components.of_cell[r] == face) label[r] = to;
+    return true;
   }
-  if (chosen == 0) return false;
-  std::uint32_t to = 0;
-  double longest = -1;
-  for (const auto& [plane, length] : shared[chosen])
-    if (length > longest) std::tie(to, longest) = std::pair(plane, length);
-  for (std::uint32_t r = 0; r < cells.regions; ++r)
-    if (c.of_cell[r] == chosen) label[r] = to;
-  return true;
+  return false;
 }
 
 }  // namespace
 
 RoofFaces roof_faces(const RoofSite& site, const RoofPlanes& planes, const Partition& cells,
                      std::span<const std::uint32_t> cell_of_point, std::vector<std::uint32_t> label,
-                     double least_area) {
+                     const RoofFaceParams& params) {
   const PointCounts counts = count_points(planes, cell_of_point, cells.regions);
   const std::vector<double> areas = region_areas(cells);
-  while (give_one_away(cells, areas, counts, least_area, label)) {
+  while (give_one_away(planes, cells, areas, counts, params, label)) {
   }
   const Components c = components_of(cells, label);
   RoofFaces r;

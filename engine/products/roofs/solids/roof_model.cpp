@@ -12,6 +12,7 @@
 #include "engine/products/roofs/faces/cell_labels.h"
 #include "engine/products/roofs/faces/concurrence.h"
 #include "engine/products/roofs/faces/corner_joining.h"
+#include "engine/products/roofs/faces/face_limits.h"
 #include "engine/products/roofs/faces/partition.h"
 #include "engine/products/roofs/faces/roof_faces.h"
 #include "engine/products/roofs/faces/roof_lines.h"
@@ -80,14 +81,35 @@ struct LabelledCells {
   std::vector<std::uint32_t> of_point, label;
 };
 
-LabelledCells labelled_cells(const RoofSite& site, const RoofPlanes& planes, const RoofModelParams& params) {
+LabelledCells labelled_cells(const RoofSite& site, const RoofPlanes& planes, std::vector<FlatEdge> lines,
+                             const CellLabelParams& params) {
   LabelledCells c;
-  c.lines = roof_lines(site, planes);
+  c.lines = std::move(lines);
   c.cells = part(site.outline, c.lines);
   std::vector<FlatPoint> flat;
   for (const Vec3& p : site.points) flat.push_back({p.x * 1000, p.y * 1000});
   c.of_point = regions_of(c.cells, flat);
-  c.label = label_cells(site, planes, c.cells, c.of_point, {params.border_cost, params.wall_cost, params.overshoot});
+  c.label = label_cells(site, planes, c.cells, c.of_point, params);
+  return c;
+}
+
+FaceLimits limits_of(const RoofSite& site, const RoofPlanes& planes, const RoofModelParams& params) {
+  return {planes.step, params.overshoot, site.ground};
+}
+
+// Labels the cells. Where a face would fall too low, as where a cloud ends within the outline, the outline is also cut
+// where the points of its plane end, and no cell beyond is given to it.
+LabelledCells cells_within_limits(const RoofSite& site, RoofPlanes& planes, const RoofModelParams& params) {
+  CellLabelParams costs{params.border_cost, params.wall_cost, limits_of(site, planes, params)};
+  LabelledCells c = labelled_cells(site, planes, roof_lines(site, planes), costs);
+  if (c.label.empty()) return c;
+  const std::vector<std::uint32_t> falling = falling_planes(planes, c.cells, c.label, costs.limits);
+  if (falling.empty()) return c;
+  std::vector<FlatEdge> lines = std::move(c.lines);
+  for (const std::uint32_t p : falling) lines.push_back(end_of_points(planes.planes[p], site.outline));
+  costs.forbid_falls = true;
+  c = labelled_cells(site, planes, std::move(lines), costs);
+  if (!c.label.empty()) level_fallen(c.cells, costs.limits, planes, c.label);
   return c;
 }
 
@@ -146,25 +168,26 @@ RoofFaces with_few_corners(const RoofSite& site, RoofFaces roof, double step, do
   return roof;
 }
 
-// Returns true when a face rises farther above its points than the labels of cells allow, or by `detail` more.
-bool overshoots(const RoofFaces& roof, double step, const RoofModelParams& params) {
-  const auto above = [&](std::uint32_t region, Point2 at) {
+// Returns true when a face is beyond the limits for the labels of cells by more than `detail`.
+bool beyond_limits(const RoofFaces& roof, const FaceLimits& limits, double detail) {
+  const auto beyond = [&](std::uint32_t region, Point2 at) {
     if (region == kOutside) return false;
     const RoofPlane& plane = roof.planes[region - 1];
-    return plane.at(at.x / 1000.0, at.y / 1000.0) - plane.highest >
-           most_overshoot(plane, step, params.overshoot) + params.detail;
+    const FlatPoint place{at.x / 1000.0, at.y / 1000.0};
+    return std::max(too_high(plane, place, limits), too_low(plane, place, limits)) > detail;
   };
   return std::any_of(roof.faces.edges.begin(), roof.faces.edges.end(), [&](const PartitionEdge& e) {
     const Point2 a = roof.faces.vertices[e.from], b = roof.faces.vertices[e.to];
-    return above(e.left, a) || above(e.left, b) || above(e.right, a) || above(e.right, b);
+    return beyond(e.left, a) || beyond(e.left, b) || beyond(e.right, a) || beyond(e.right, b);
   });
 }
 
 // Raises the faces of the roof. If the check refuses the solid, more and more of the small faces are given to their
 // neighbours.
-void add_house(const RoofSite& site, const RoofPlanes& planes, const RoofModelParams& params, double metres_per_unit,
+void add_house(const RoofSite& site, RoofPlanes& planes, const RoofModelParams& params, double metres_per_unit,
                const SolidCheck& check, RoofModel& model, RoofSteps* steps) {
-  const LabelledCells c = labelled_cells(site, planes, params);
+  const LabelledCells c = cells_within_limits(site, planes, params);
+  const FaceLimits limits = limits_of(site, planes, params);
   if (steps != nullptr) {
     steps->lines = c.lines;
     steps->cells = c.cells;
@@ -179,11 +202,11 @@ void add_house(const RoofSite& site, const RoofPlanes& planes, const RoofModelPa
   double least = params.least_face_area > 0 ? params.least_face_area : kLeastFaceArea;
   std::string first_fault;
   for (int attempt = 0; attempt < kAttempts; ++attempt, least *= kFewerFaces) {
-    RoofFaces roof = roof_faces(site, planes, c.cells, c.of_point, c.label, least);
+    RoofFaces roof = roof_faces(site, planes, c.cells, c.of_point, c.label, {least, limits});
     std::optional<Building> house;
     if (params.detail > 0) {
       RoofFaces drawn = with_few_corners(site, roof, planes.step, params.detail);
-      if (!overshoots(drawn, planes.step, params))
+      if (!beyond_limits(drawn, limits, params.detail))
         house = raised(site, drawn.faces, drawn.planes, "2.2", metres_per_unit, check, model.reason);
       if (house) roof = std::move(drawn);
     }
@@ -232,7 +255,7 @@ RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double
     return model;
   }
   if (model.reason = too_sparse(site); !model.reason.empty()) return model;
-  const SupportedRoof roof = supported_roof(site, params);
+  SupportedRoof roof = supported_roof(site, params);
   if (steps != nullptr) steps->planes = roof.planes;
   if (!add_block(roof.site, roof.planes, params, metres_per_unit, check, model)) return model;
   if (roof.planes.planes.empty()) {
