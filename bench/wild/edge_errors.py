@@ -4,10 +4,10 @@
 edges within their stated error, over all and by fifths of noise, registration, density, incidence and stated error.
 
   bench/wild/edge_errors.py PROGRAM FOLDER [--seeds 0-19] [--scenes facade-wild,row-wild,court-wild] [--jobs 2]
-                            [--set facades.regularise=false]... [--tag NAME] [--scan scene.shutters=1]...
+                            [--set facades.regularise=false]... [--tag NAME] [--scan scene.shutters=1]... [--as-drawn]
 
-Stations are given to the run. Scans stay in FOLDER and are used again; results are in FOLDER/TAG.csv. The true error of an
-edge is the distance of the side of its box from that of the true box, in the axes of the drawn facade. Edges that are
+Stations are given to the run; with --as-drawn only where the scene has drawn that they are known. Scans stay in FOLDER
+and are used again; results are in FOLDER/TAG.csv. The true error of an edge is the distance of the side of its box from that of the true box, in the axes of the drawn facade. Edges that are
 occluded are not judged, nor openings under arcs, nor those without a partner (intersection over union of half)."""
 import argparse
 import concurrent.futures
@@ -69,16 +69,18 @@ def rows_of(out, truth):
                 rows.append(dict(status=edge["status"], side=side, stated=edge["error_m"], off=off, moved=edge["moved_m"],
                                  noise=drawn.get("range_noise", 0), registration=drawn.get("registration_shift", 0),
                                  density=truth["density"], incidence=min(angles, default=0), element=e["id"],
-                                 facade=path.stem, u=own[0], v=own[2]))
+                                 facade=path.stem, u=own[0], v=own[2], at=own[places[side]]))
     return rows, len(matched), found, len(truth["openings"])
 
 
 def judge(given, scene, seed):
     changed = "".join("-" + s.replace("scene.", "").replace("=", "_") for s in given.scan)
+    changed += "-as-drawn" if given.as_drawn else ""
     cloud = given.folder / f"{scene}-{seed}{changed}.las"
     truth_file = cloud.with_suffix(".truth.json")
     if not truth_file.exists():
-        settings = ["station_knowledge=known", *(s.removeprefix("scene.") for s in given.scan)]
+        known = [] if given.as_drawn else ["station_knowledge=known"]
+        settings = [*known, *(s.removeprefix("scene.") for s in given.scan)]
         words = [*commands.scan(given.program, scene, seed, cloud, settings), "--points", str(POINTS[scene]), "-q"]
         if subprocess.run(words, capture_output=True).returncode:
             return scene, seed, None
@@ -104,6 +106,12 @@ def median(values):
     return statistics.median_high(values) if values else 0
 
 
+def sheet_line(rows):
+    """The error that 95 of 100 of these edges state at most, as the sheet has it for all of its elements."""
+    stated = sorted(float(r["stated"]) for r in rows)
+    return stated[(len(stated) * 95 + 99) // 100 - 1]
+
+
 def line(name, rows):
     stated, true = median([float(r["stated"]) for r in rows]), median([abs(float(r["off"])) for r in rows])
     mean = sum(abs(float(r["off"])) for r in rows) / len(rows) if rows else 0
@@ -124,6 +132,11 @@ def report(rows):
             part = order[k * len(order) // 5:(k + 1) * len(order) // 5]
             if part:
                 line(f"{key} {float(part[0][key]):.4g} to {float(part[-1][key]):.4g}", part)
+    sheets = {}
+    for r in seen:
+        sheets.setdefault((r["scene"], r["seed"], r["facade"]), []).append(r)
+    within = sum(sum(abs(float(r["off"])) <= sheet_line(part) for r in part) for part in sheets.values())
+    print(f"seen edges within the line of their sheet: {100 * within / max(1, len(seen)):.1f} % of {len(seen)}")
 
 
 def main():
@@ -136,6 +149,7 @@ def main():
     parser.add_argument("--set", action="append", default=[])
     parser.add_argument("--scan", action="append", default=[])
     parser.add_argument("--tag", default="a")
+    parser.add_argument("--as-drawn", action="store_true")
     given = parser.parse_args()
     first, last = given.seeds
     given.folder.mkdir(parents=True, exist_ok=True)

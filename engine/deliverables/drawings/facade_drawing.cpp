@@ -12,9 +12,9 @@
 #include "engine/deliverables/drawings/facade_marks.h"
 #include "engine/deliverables/drawings/facade_plan.h"
 #include "engine/deliverables/drawings/sheet_texts.h"
+#include "engine/model/stated_errors.h"
 #include "engine/version.h"
 #include "kernels/core/portable_math.h"
-#include "kernels/core/quantile.h"
 
 namespace ilot {
 namespace {
@@ -122,7 +122,7 @@ void add_house_texts(std::span<const Facade> houses, const Facade& row, double m
 
 std::vector<std::string> facade_reference(const Facade& facade, const FacadeDrawingParams& params,
                                           const std::string& place) {
-  const double error = edge_error_95(facade);
+  const double error = seen_error_95(facade);
   // Degrees from grid north, clockwise.
   const double towards = direction_degrees(facade.right.y, facade.right.x);
   const SheetLanguage in = params.language;
@@ -145,14 +145,6 @@ std::vector<std::string> facade_reference(const Facade& facade, const FacadeDraw
 
 std::string scale_text(const FacadeDrawingParams& params) {
   return phrase(params.language, SheetPhrase::scale, decimal(params.scale, params.scale < 1 ? 2 : 0));
-}
-
-double edge_error_95(const Facade& facade) {
-  std::vector<double> errors;
-  for (const FacadeElement& e : facade.elements)
-    for (const FacadeEdge& edge : e.edges)
-      if (edge.error_m > 0) errors.push_back(edge.error_m);
-  return errors.empty() ? 0 : nth_smallest(errors, (errors.size() * 95 + 99) / 100 - 1);
 }
 
 namespace {

@@ -43,7 +43,4 @@ std::vector<std::string> facade_reference(const Facade& facade, const FacadeDraw
 // Returns "Scale 1:50".
 std::string scale_text(const FacadeDrawingParams& params);
 
-// Returns the error in metres that 95 of 100 edges with a known error do not exceed; 0 when no edge has one.
-double edge_error_95(const Facade& facade);
-
 }  // namespace ilot

@@ -10,6 +10,7 @@
 #include "engine/deliverables/drawings/facade_evidence.h"
 #include "engine/deliverables/pages/facade_files.h"
 #include "engine/markup.h"
+#include "engine/model/stated_errors.h"
 
 namespace ilot {
 namespace {
@@ -118,11 +119,11 @@ void FacadeSheets::count(const Facade& facade) {
 }
 
 std::string FacadeSheets::summary_of(const Facade& facade) const {
-  const double error = edge_error_95(facade);
+  const double error = seen_error_95(facade);
   return fmt::format("<summary>Facade {0}: {1} x {2} m, {3} {4}{5}</summary>\n<p>{6}</p>\n", facade.id,
                      decimal(facade.width_m, 2), decimal(facade.height_m, 2), facade.elements.size(),
                      facade.elements.size() == 1 ? "element" : "elements",
-                     error > 0 ? fmt::format(", 95 % of edges within {} mm", decimal(1000 * error, 1)) : "",
+                     error > 0 ? fmt::format(", 95 % of seen edges within {} mm", decimal(1000 * error, 1)) : "",
                      links(facade, params_.folder));
 }
 

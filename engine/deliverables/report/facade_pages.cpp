@@ -15,6 +15,7 @@
 #include "engine/deliverables/report/packed.h"
 #include "engine/deliverables/report/scene_facades.h"
 #include "engine/deliverables/tables/facade_json.h"
+#include "engine/model/stated_errors.h"
 #include "engine/report/counted.h"
 #include "engine/report/progress.h"
 #include "kernels/core/parallel.h"

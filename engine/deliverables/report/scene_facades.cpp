@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/deliverables/report/packed.h"
+#include "engine/model/stated_errors.h"
 
 namespace ilot {
 namespace {
@@ -61,16 +62,6 @@ Json scene_parts(const std::vector<FacadePart>& parts, const SceneFrame& frame) 
 }
 
 }  // namespace
-
-double seen_error_95(const Facade& facade) {
-  std::vector<double> errors;
-  for (const FacadeElement& e : facade.elements)
-    for (const FacadeEdge& edge : e.edges)
-      if (edge.status == DrawnStatus::seen && edge.error_m > 0) errors.push_back(edge.error_m);
-  if (errors.empty()) return 0;
-  std::sort(errors.begin(), errors.end());
-  return errors[(errors.size() * 95 + 99) / 100 - 1];
-}
 
 Json scene_facade(const Facade& facade, const SceneFrame& frame) {
   Json elements = Json::array();

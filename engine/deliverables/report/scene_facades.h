@@ -13,9 +13,6 @@
 
 namespace ilot {
 
-// The error in metres that 95 of 100 edges that were seen do not exceed; 0 when none of them has one.
-double seen_error_95(const Facade& facade);
-
 // One facade: its frame in the scene (metres), and its elements in that frame, in whole centimetres.
 nlohmann::ordered_json scene_facade(const Facade& facade, const SceneFrame& frame);
 

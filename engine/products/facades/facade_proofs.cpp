@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "engine/pass/pass.h"
 #include "engine/pass/resident.h"
@@ -112,11 +113,29 @@ void count_points(const FacadeWork& work, std::span<const WallGroup> walls, std:
   for (std::size_t i = 0; i < found.size(); ++i) proofs[i].write(tallies[i], found[i].facade);
 }
 
+// An edge of an opening or of the outline along which no point lies at all was not seen, whatever the rays farther off
+// let expect.
+void mark_bare_edges(FoundFacade& found) {
+  for (FacadeElement& e : found.facade.elements) {
+    if ((!e.opening && e.kind != "outline") || e.status != DrawnStatus::seen) continue;
+    std::size_t bare = 0, seen = 0;
+    for (FacadeEdge& edge : e.edges) {
+      if (edge.status == DrawnStatus::seen && edge.points == 0) edge.status = DrawnStatus::occluded, ++bare;
+      seen += edge.status != DrawnStatus::occluded;
+    }
+    if (bare == 0) continue;
+    found.occluded_edges += bare;
+    if (seen == 0 && e.opening) e.status = DrawnStatus::occluded;
+    e.reason += std::string(e.reason.empty() ? "" : "; ") + "no point lies along a side of it";
+  }
+}
+
 }  // namespace
 
 void prove_facades(const FacadeWork& work, std::span<const WallGroup> walls, std::span<const Outline> outlines,
                    std::vector<FoundFacade>& found, const PassContext& context) {
   count_points(work, walls, found, context);
+  for (FoundFacade& f : found) mark_bare_edges(f);
   if (work.stations.empty()) return;
   trim_memory();
   const LineOfSight sight = LineOfSight::past([&](const std::function<void(const SectionFace&)>& visit) {

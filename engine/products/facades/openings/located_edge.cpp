@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/products/facades/openings/edge_bounds.h"
 #include "engine/products/facades/openings/face_cluster.h"
 #include "kernels/core/quantile.h"
 #include "kernels/outlines/edge_split.h"
@@ -31,8 +32,6 @@ constexpr double kCornerDeep = 0.1;  // metres before an element in which points
 constexpr double kCornerReach = 0.02;  // metres beside its last points
 // Derived: two neighbouring scan lines are one step apart; two steps contain one line always.
 constexpr double kSlotSteps = 2;  // steps along a side in which one scan line ends, at least
-// Derived: the two-sided 5 % of a test.
-constexpr double kTailOfEnds = 0.05;  // share of the scan lines that end at one place or another by chance
 // Derived: 4 standard deviations, plus and minus two: 95 % of normal noise.
 constexpr double kFaceWidths = 4;  // times the noise: width of the interval that contains the points of a face
 // Derived: 95 % of normal errors. The arris of a wall is as rough as its face.
@@ -211,23 +210,6 @@ bool are_stray(const std::vector<double>& samples, const std::vector<double>& ot
   return samples.size() < 2 || static_cast<double>(samples.size()) < kFewOf * static_cast<double>(others.size());
 }
 
-// The typical distance from a split of the samples that are on its wrong side; 0 where fewer than one in twenty of
-// those about the split are. Wide beams, unsteady angles and stations that do not agree mix the two sides.
-double blur_at(const SideSamples& around, double split, double within) {
-  constexpr double kFew = 0.05;  // Derived: the two-sided 5 % of a test
-  std::vector<double> wrong;
-  double all = 0;
-  for (const double t : around.inside) {
-    all += std::abs(t - split) <= within;
-    if (t > split && t - split <= within) wrong.push_back(t - split);
-  }
-  for (const double t : around.outside) {
-    all += std::abs(t - split) <= within;
-    if (t < split && split - t <= within) wrong.push_back(split - t);
-  }
-  return wrong.empty() || static_cast<double>(wrong.size()) < kFew * all ? 0 : upper_median(wrong);
-}
-
 void use_face(const FaceLine& face, double noise, LocatedEdge& edge) {
   edge.at = face.at;
   edge.error = kBoundOfNoise * noise + 2 * face.rms * face.error_factor;
@@ -288,7 +270,6 @@ void set_end(const SideSamples& around, bool hole, const SideView& view, Located
 // Finds where the wall ends at a hole without an echo; from the points of its side face where there are enough. What
 // stands before the wall may hide its end, as a sill does: then it is anywhere behind that.
 void set_end_of_wall(const SideSamples& around, const SideView& view, LocatedEdge& edge) {
-  constexpr double kHiding = 0.2;  // Choice: a railing hides less; share of the rays beside the end that met something
   set_end(around, true, view, edge);
   edge.error += kBoundOfNoise * view.noise;
   edge.inner = edge.at;
@@ -344,12 +325,19 @@ void set_split(SideSamples& around, const EdgeSplit& split, const SideView& view
   const SideSearch& q = view.q;
   const double step = view.steps.u, noise = kBoundOfNoise * view.noise;
   edge.at = split.at;
-  edge.error = split.half_gap + noise + view.beam + blur_at(around, split.at, split.half_gap + 2 * step);
+  const EdgeRange within{view.span.t - view.span.in, view.span.t + view.span.out};
+  edge.error = noise + view.beam +
+               std::max(split.half_gap + blur_at(around.inside, around.outside, split.at, split.half_gap + 2 * step),
+                        farthest_from(split, edge_range(around.inside, around.outside, within.from, within.to)));
   if (!q.hole && along_u(view.side) && view.samples.guessed()) edge.error += kGuessed * std::abs(q.depth);
   edge.points = (around.inside.size() + around.outside.size() - split.wrong) << around.level;
   if (!view.oblique) {  // what is behind is hidden beside the edge: the edge is half a step from the solid side
     edge.at = q.hole ? split.at + split.half_gap - step / 2 : split.at - split.half_gap + step / 2;
     edge.error = step / 2 + noise;
+    if (q.hole) {
+      const double half = half_of_relief(around.before, around.outside.size(), split, edge.at);
+      edge.at -= half, edge.error += half;
+    }
   } else if (2 * split.half_gap > kStepsOfShadow * step) {
     edge.status = DrawnStatus::occluded;
   }

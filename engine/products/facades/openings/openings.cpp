@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/products/facades/openings/arched_top.h"
+#include "engine/products/facades/openings/beyond_side.h"
 #include "engine/products/facades/openings/leaning_side.h"
 #include "engine/products/facades/openings/panes.h"
 #include "engine/products/facades/openings/pointed_top.h"
@@ -265,6 +266,18 @@ void locate_sides(const RaySamples& samples, const WallCells& cells, const CellB
   }
 }
 
+// An opening may go on behind a panel that is not in the plane of the wall: the board below a shop window is part of
+// the shop, a blind that is down is part of the window. Its side may be at either end of the panel.
+void add_panels(const RaySamples& samples, FoundRectangle& opening) {
+  const Box2 box = opening.box();
+  const double wall = wall_depth_about(samples, box);
+  for (const Side side : kSides) {
+    LocatedEdge& edge = opening.side(side);
+    const double reach = panel_beyond(samples, box, wall, side);
+    if (reach > 0) edge.form = std::max(edge.form, reach + edge.error);
+  }
+}
+
 void set_point(const FoundPoint& point, FoundRectangle& opening) {
   opening.arc.reset();
   opening.pointed = point.top;
@@ -350,6 +363,7 @@ std::optional<FoundRectangle> opening_in(const RaySamples& samples, const WallCe
       opening.at(Side::top) - opening.at(Side::bottom) < params.least_size)
     return std::nullopt;
   set_leaning_sides(samples, opening);
+  add_panels(samples, opening);
   if (opening.lean_of(Side::top) != 0) return opening;
   const FoundTop top = find_top(samples, opening, params.arch_misfit);
   LocatedEdge& crown = opening.side(Side::top);
@@ -361,7 +375,7 @@ std::optional<FoundRectangle> opening_in(const RaySamples& samples, const WallCe
     crown.inner = crown.at;
     crown.form = opening.arc->off;
   } else {
-    crown.form = top.off;
+    crown.form = std::max(crown.form, top.off);
   }
   if (const auto point = find_pointed_top(samples, opening, around.v1, params.arch_misfit)) set_point(*point, opening);
   return opening;

@@ -202,7 +202,7 @@ TEST(FacadeDrawing, TheTitleBlockNamesTheDrawing) {
   const Drawing drawing = facade_drawing(facade, params);
   for (const char* words :
        {"12 rue de l'", "Scale 1:100", "CRS: EPSG:2154", "Heights: NGF-IGN69", "Date of data: 2026-05-01",
-        "95 % of edges within 4.0 mm", "Source: scan.laz", "90.00 deg from grid north"})
+        "95 % of seen edges within 4.0 mm", "Source: scan.laz", "90.00 deg from grid north"})
     EXPECT_TRUE(says(drawing, words)) << words;
   const Drawing bare = facade_drawing(drawn_facade());
   for (const char* words : {"Elevation", "CRS: not known", "Date of data: not known", "Accuracy: not known"})

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the edges of a facade state of their errors, in one number.
+#pragma once
+#include "engine/model/facade.h"
+
+namespace ilot {
+
+// The error in metres that 95 of 100 seen edges state at most; 0 where no seen edge states one. Edges that nobody saw,
+// and those that were completed from others, may be anywhere in the gap that hid them, and do not count.
+double seen_error_95(const Facade& facade);
+
+}  // namespace ilot
