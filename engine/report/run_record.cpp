@@ -61,7 +61,7 @@ Json counts_json(const RunRecord& record) {
                          {"occluded_edges", record.facades->occluded_edges}};
   if (record.streets)
     counts["streets"] = {
-        {"objects", record.streets->objects}, {"blocks", record.streets->blocks}, {"gaps", record.streets->gaps}};
+        {"objects", record.streets->objects}, {"blocks", record.streets->blocks}, {"gaps", record.streets->gaps}, {"trees", record.streets->trees}, {"kerbs", record.streets->kerbs}};
   return counts;
 }
 
