@@ -253,8 +253,7 @@ void evaluate_street_map(const ResultFiles& files, const LabelCounts& counts, co
     });
   }
   if (truth.has_trees) evaluation.trees = evaluate_trees(truth.trees, trees, read_trees_gpkg(*files.trees), metres);
-  if (truth.has_kerbs)
-    evaluation.kerbs = evaluate_kerbs(sight, truth.kerbs, read_kerbs_gpkg(*files.kerbs), metres);
+  if (truth.has_kerbs) evaluation.kerbs = evaluate_kerbs(sight, truth.kerbs, read_kerbs_gpkg(*files.kerbs), metres);
 }
 
 // Tells whether the record of a run states footprints. False without a record.

@@ -72,7 +72,7 @@ struct Evaluation {
   std::optional<ProbabilityEvaluation> probabilities;  // of the classes of found objects
   std::optional<TreeResult> trees;
   std::optional<KerbResult> kerbs;
-  std::vector<std::string> notes;                      // what the truth contains and the result does not
+  std::vector<std::string> notes;  // what the truth contains and the result does not
 };
 
 // The files in an output folder of a run, or the one file that is given: a labelled cloud, or models of roofs.

@@ -37,10 +37,10 @@ struct FacadePart {
 
 // A tree, of at least three metres.
 struct StreetTree {
-  std::uint32_t id = 0;     // from 1
-  Vec3 position;            // of the trunk's axis at the ground; of the middle of the crown where no trunk was seen
-  bool trunk_seen = false;  // something narrow stands below the crown and reaches up to it
-  double height_m = 0;      // of the highest point above the ground at the position
+  std::uint32_t id = 0;       // from 1
+  Vec3 position;              // of the trunk's axis at the ground; of the middle of the crown where no trunk was seen
+  bool trunk_seen = false;    // something narrow stands below the crown and reaches up to it
+  double height_m = 0;        // of the highest point above the ground at the position
   double crown_radius_m = 0;  // of the circle with the area of the crown in plan
   double crown_base_m = 0;    // above the ground; a tenth of the crown in plan reaches lower
   double trunk_radius_m = 0;  // at 0.3 to 3.3 m above the ground; 0 = no trunk was seen

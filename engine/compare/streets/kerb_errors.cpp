@@ -8,9 +8,9 @@
 namespace ilot {
 namespace {
 
-constexpr double kStep = 0.25;          // metres between places
-constexpr double kNear = 0.5;           // metres between partners
-constexpr double kLeastStep = 0.03;     // metres; lower kerbs are not judged
+constexpr double kStep = 0.25;             // metres between places
+constexpr double kNear = 0.5;              // metres between partners
+constexpr double kLeastStep = 0.03;        // metres; lower kerbs are not judged
 constexpr std::uint64_t kLeastOfSide = 5;  // Choice: with fewer points nobody can tell a step
 
 // A place on a polyline, and the nearest of several.
@@ -35,7 +35,8 @@ void for_places(const std::vector<Vec3>& line, double metres, const Take& take) 
 
 // The nearest place of lines to a point in plan, within kNear.
 template <class Lines, class LineOf>
-std::optional<std::pair<std::size_t, OnLine>> nearest(const Lines& lines, const LineOf& line_of, Vec3 p, double metres) {
+std::optional<std::pair<std::size_t, OnLine>> nearest(const Lines& lines, const LineOf& line_of, Vec3 p,
+                                                      double metres) {
   std::optional<std::pair<std::size_t, OnLine>> best;
   double least = kNear / metres;
   for (std::size_t l = 0; l < lines.size(); ++l) {
@@ -111,7 +112,8 @@ KerbResult evaluate_kerbs(const KerbSight& sight, std::span<const TrueKerb> trut
       const Vec3 at = partner->second.at;
       plan.push_back(std::hypot(at.x - on.at.x, at.y - on.at.y) * metres_per_unit);
       elevation.push_back((at.z - on.at.z) * metres_per_unit);
-      const double h = kerb.heights_m[on.segment] + on.share * (kerb.heights_m[on.segment + 1] - kerb.heights_m[on.segment]);
+      const double h =
+          kerb.heights_m[on.segment] + on.share * (kerb.heights_m[on.segment + 1] - kerb.heights_m[on.segment]);
       height.push_back(h - t.height_m);
     });
   result.complete = result.true_m > 0 ? complete / result.true_m : 0;

@@ -21,9 +21,9 @@ class KerbSight {
   void add(Vec3 p);
 
   struct Place {
-    Vec3 at;                  // CRS
+    Vec3 at;  // CRS
     double along_x = 1, along_y = 0;
-    double height_m = 0;      // of the step
+    double height_m = 0;                // of the step
     std::uint64_t left = 0, right = 0;  // points on both sides
     bool is_seen() const;
   };
@@ -38,12 +38,12 @@ class KerbSight {
 };
 
 struct KerbResult {
-  double true_m = 0;       // metres of true kerb that are judged
-  double unseen_m = 0;     // metres that are lower than 3 cm, or without points of the ground on a side: not judged
-  double found_m = 0;      // metres of found kerb that was seen
-  double complete = 0;     // share of true_m with a found kerb within half a metre
-  double correct = 0;      // share of found_m with a true kerb (of any height) within half a metre
-  double bridged_m = 0;    // metres of found kerb that was not seen
+  double true_m = 0;           // metres of true kerb that are judged
+  double unseen_m = 0;         // metres that are lower than 3 cm, or without points of the ground on a side: not judged
+  double found_m = 0;          // metres of found kerb that was seen
+  double complete = 0;         // share of true_m with a found kerb within half a metre
+  double correct = 0;          // share of found_m with a true kerb (of any height) within half a metre
+  double bridged_m = 0;        // metres of found kerb that was not seen
   double bridged_correct = 0;  // share of them, likewise
   ErrorSizes plan, height, elevation;  // of found places that were seen near judged ones, each 25 cm
 };

@@ -23,8 +23,8 @@ Json errors_json(const ErrorSizes& e) {
 }  // namespace
 
 std::string trees_text(const TreeResult& t) {
-  return fmt::format("trees    true {}  found {}  matched {}  false {}  (unseen {}); trunk seen of {}\n", t.truth, t.found,
-                     t.matched, t.false_found, t.unseen, t.trunks) +
+  return fmt::format("trees    true {}  found {}  matched {}  false {}  (unseen {}); trunk seen of {}\n", t.truth,
+                     t.found, t.matched, t.false_found, t.unseen, t.trunks) +
          errors_text("position", t.position) + errors_text("position, trunk seen", t.position_with_trunk) +
          errors_text("position, crown only", t.position_without_trunk) +
          errors_text("height, to the highest point", t.height) + errors_text("height, to the tree", t.height_of_tree) +

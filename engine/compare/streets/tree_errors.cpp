@@ -11,8 +11,8 @@ namespace {
 
 // Choice: what has fewer points or is lower cannot be told from a shrub by a person either.
 constexpr std::uint64_t kLeastPoints = 20;
-constexpr double kLeastTop = 3;                       // metres above the foot
-constexpr double kNearest = 1, kFarthest = 3;         // metres from the trunk
+constexpr double kLeastTop = 3;                // metres above the foot
+constexpr double kNearest = 1, kFarthest = 3;  // metres from the trunk
 
 struct Pair {
   double distance = 0;

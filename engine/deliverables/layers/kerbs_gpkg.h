@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// kerbs.gpkg: layer `kerbs` has the upper edges of kerbs as lines, layer `heights` has the height of the step at each of
-// their vertices. Columns: docs/outputs.md.
+// kerbs.gpkg: layer `kerbs` has the upper edges of kerbs as lines, layer `heights` has the height of the step at each
+// of their vertices. Columns: docs/outputs.md.
 #pragma once
 #include <filesystem>
 

@@ -141,11 +141,12 @@ std::string street_legend_html(const StreetPlan& plan) {
                        colour, name, count);
   };
   html += row(kTree, "tree", plan.trees.size()) + row(kKerb, "kerb", plan.kerbs.size());
-  return html + fmt::format(
-                    "</tbody></table>\n<p class=\"note\">{} blocks (grey) and {} gaps between them (dashed). Circles are "
-                    "crowns; the dot is the trunk, hollow where no trunk was seen. Dashed kerbs were not seen. The bar is "
-                    "{:.0f} m long. North is up.</p>\n",
-                    plan.blocks.size(), plan.gaps.size(), kScaleBar);
+  return html +
+         fmt::format(
+             "</tbody></table>\n<p class=\"note\">{} blocks (grey) and {} gaps between them (dashed). Circles are "
+             "crowns; the dot is the trunk, hollow where no trunk was seen. Dashed kerbs were not seen. The bar is "
+             "{:.0f} m long. North is up.</p>\n",
+             plan.blocks.size(), plan.gaps.size(), kScaleBar);
 }
 
 void write_street_map(const std::filesystem::path& folder, const StreetPlan& plan, double metres_per_unit) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// trees.gpkg: layer `trees` has the positions of trees on the ground, layer `crowns` has circles with the areas of their
-// crowns. Columns: docs/outputs.md.
+// trees.gpkg: layer `trees` has the positions of trees on the ground, layer `crowns` has circles with the areas of
+// their crowns. Columns: docs/outputs.md.
 #pragma once
 #include <filesystem>
 

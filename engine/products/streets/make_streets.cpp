@@ -153,7 +153,7 @@ void add_layers(const Store& store, const FoundStreet& street, const ObjectLabel
   all.wanted = {};
   if (context.wanted) all.advance = [](std::uint64_t) {};
   write_street_labels(store, tiles, labels, least_height, all);
-  plan.trees = find_street_trees(store, tiles, context);
+  plan.trees = find_street_trees(store, tiles, street.view, context);
   plan.kerbs = find_street_kerbs(store, tiles, street.density, context);
   if (context.wanted) write_street_labels(store, tiles, labels, least_height, context);
 }
@@ -243,8 +243,8 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
   write_trees_gpkg(out.folder / "trees.gpkg", plan, crs);
   write_street_rasters(*street.tiles, out.folder, crs);
   write_street_map(out.folder, plan, context.metres_per_unit);
-  out.record.streets = StreetCounts{plan.objects.size(), plan.blocks.size(), plan.gaps.size(), plan.trees.size(),
-                                    plan.kerbs.size()};
+  out.record.streets =
+      StreetCounts{plan.objects.size(), plan.blocks.size(), plan.gaps.size(), plan.trees.size(), plan.kerbs.size()};
   out.progress.end_stage();
 }
 

@@ -51,6 +51,7 @@ class KerbFinder {
     for (const auto& list : places_) all.insert(all.end(), list.begin(), list.end());
     KerbLineParams params;
     params.spacing = factor_ * raster_.scale.pixel;
+    params.radius = fit_.radius;
     // Derived: places within a window share their points, so five windows are needed for a line that is no chance.
     params.least_length = std::max(params.least_length, 5 * fit_.radius);
     std::vector<StreetKerb> kerbs;

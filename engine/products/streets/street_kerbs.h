@@ -15,10 +15,10 @@ struct StreetKerbsParams {
   double points_of_window = 40;
 };
 
-// Finds the kerbs of a street from the points with the label ground (column "street"): steps of 3 to 30 cm, at least two
-// metres long. Places on steps are found tile by tile, each in the tile that contains it, from the points around it; then
-// they are linked over all tiles. Neither threads nor blocks matter. Places outside of the wanted area are left out.
-// Numbered from 1: seen lines first, then the gaps between them that something hides.
+// Finds the kerbs of a street from the points with the label ground (column "street"): steps of 3 to 30 cm, at least
+// two metres long. Places on steps are found tile by tile, each in the tile that contains it, from the points around
+// it; then they are linked over all tiles. Neither threads nor blocks matter. Places outside of the wanted area are
+// left out. Numbered from 1: seen lines first, then the gaps between them that something hides.
 std::vector<StreetKerb> find_street_kerbs(const Store& store, const StreetTiles& tiles, const PointDensity& density,
                                           const PassContext& context, const StreetKerbsParams& params = {});
 

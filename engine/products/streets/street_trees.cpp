@@ -17,13 +17,16 @@ namespace {
 
 // Choice: a summit is told from the next in cells of about this size; a young tree is two of them wide.
 constexpr double kLeastTreeCell = 0.3;  // metres
-constexpr double kTrunkHalo = 1.5;      // metres around a tile; wider than a trunk
+// Derived: more than the widest trunk (TrunkParams) and the ring around it on one side.
+constexpr double kTrunkHalo = 1.5;  // metres around a tile; wider than a trunk
 // Choice: above the roots and most of what lies around, below the crowns of most trees.
 constexpr double kTrunkFrom = 0.3, kTrunkTo = 3.3;  // metres above the ground
-constexpr double kTrunkVoxel = 0.1;                 // metres; a thin trunk fills one
-constexpr double kTrunkSlice = 0.25;                // metres
-constexpr std::uint64_t kBytesOfRead = 2u << 20;    // points while they are read, with their labels
-constexpr std::uint64_t kBytesOfCell = 160;         // of a window in which crowns are found
+// Choice: a trunk of 10 cm fills one; smaller ones break trunks with a step of points of 5 cm and more.
+constexpr double kTrunkVoxel = 0.1;  // metres; a thin trunk fills one
+// Choice: three of them are the least that is seen of a trunk; a point a slice is enough.
+constexpr double kTrunkSlice = 0.25;              // metres
+constexpr std::uint64_t kBytesOfRead = 2u << 20;  // points while they are read, with their labels
+constexpr std::uint64_t kBytesOfCell = 160;       // of a window in which crowns are found
 const char* const kLayers[] = {"tree top", "tree low", "tree above", "tree points", "tree bins"};
 
 // The raster of tree cells: squares of 2^n pixels.
@@ -56,8 +59,9 @@ bool may_be_trunk(PointLabel label) {
 
 class TreeFinder {
  public:
-  TreeFinder(const Store& store, const StreetTiles& tiles, const PassContext& context, const StreetTreesParams& params)
-      : store_(store), tiles_(tiles), context_(context), params_(params), raster_(tree_raster(tiles)) {
+  TreeFinder(const Store& store, const StreetTiles& tiles, StreetView view, const PassContext& context,
+             const StreetTreesParams& params)
+      : store_(store), tiles_(tiles), view_(view), context_(context), params_(params), raster_(tree_raster(tiles)) {
     trunks_.resize(tiles.raster().grid.count());
     trees_.resize(trunks_.size());
     const double pixel = tiles.raster().scale.pixel;
@@ -83,7 +87,9 @@ class TreeFinder {
   }
 
  private:
-  std::uint32_t slices() const { return static_cast<std::uint32_t>(std::ceil((kTrunkTo - kTrunkFrom) / slice_ - 1e-9)); }
+  std::uint32_t slices() const {
+    return static_cast<std::uint32_t>(std::ceil((kTrunkTo - kTrunkFrom) / slice_ - 1e-9));
+  }
   std::uint32_t reach() const { return static_cast<std::uint32_t>(std::ceil(params_.reach / raster_.cell)); }
 
   // Reads the points of a tile and of a ring around it: the layers of the tile's cells, and its trunks.
@@ -170,6 +176,7 @@ class TreeFinder {
   void place_trunks(std::size_t tile, const TrunkVoxels& voxels) {
     const double halo = halo_ * tiles_.raster().scale.pixel, side = raster_.layers.grid.side * raster_.cell;
     const TileFrame frame = tile_frame(raster_.layers.grid, tile);
+    if (view_ == StreetView::air) return;  // what is narrow and upright has few points or none
     for (const Trunk& trunk : find_trunks(voxels)) {
       const double x = trunk.x - halo, y = trunk.y - halo;
       if (x >= 0 && y >= 0 && x < side && y < side)
@@ -203,15 +210,19 @@ class TreeFinder {
     return w;
   }
 
-  static std::int64_t floor_of(std::int64_t v, std::int64_t side) { return v >= 0 ? v / side : -((side - 1 - v) / side); }
+  static std::int64_t floor_of(std::int64_t v, std::int64_t side) {
+    return v >= 0 ? v / side : -((side - 1 - v) / side);
+  }
 
   // Whether a trunk reaches up to vegetation that is high enough for a tree, over it or beside it.
   bool carries_crown(const Window& w, const PlacedTrunk& t) const {
     const auto cx = static_cast<std::int64_t>(t.x) - w.x, cy = static_cast<std::int64_t>(t.y) - w.y;
     const double unit = tiles_.raster().scale.unit;
     double low = INFINITY;
-    for (std::int64_t y = std::max<std::int64_t>(0, cy - 1); y <= std::min<std::int64_t>(w.cells.top.height - 1, cy + 1); ++y)
-      for (std::int64_t x = std::max<std::int64_t>(0, cx - 1); x <= std::min<std::int64_t>(w.cells.top.width - 1, cx + 1); ++x) {
+    for (std::int64_t y = std::max<std::int64_t>(0, cy - 1);
+         y <= std::min<std::int64_t>(w.cells.top.height - 1, cy + 1); ++y)
+      for (std::int64_t x = std::max<std::int64_t>(0, cx - 1);
+           x <= std::min<std::int64_t>(w.cells.top.width - 1, cx + 1); ++x) {
         const auto i = static_cast<std::size_t>(y * w.cells.top.width + x);
         const Height above = w.cells.above.values[i];
         if (above == kNoHeight || above * unit < params_.least_height) continue;
@@ -228,9 +239,10 @@ class TreeFinder {
     std::vector<TrunkCell> seeds;
     for (const PlacedTrunk& t : w.trunks)
       seeds.push_back({static_cast<std::uint32_t>(static_cast<std::int64_t>(t.x) - w.x),
-                       static_cast<std::uint32_t>(static_cast<std::int64_t>(t.y) - w.y)});
+                       static_cast<std::uint32_t>(static_cast<std::int64_t>(t.y) - w.y), t.trunk.radius});
     CrownParams params;
     params.least_height = least;
+    params.cell = raster_.cell / tiles_.raster().scale.unit;
     const CrownRegions crowns = find_crowns(w.cells.above, seeds, params);
     std::vector<std::vector<std::size_t>> cells(crowns.regions.size());
     for (std::size_t i = 0; i < crowns.of.size(); ++i)
@@ -243,17 +255,20 @@ class TreeFinder {
 
   void add_tree(std::size_t tile, const Window& w, const CrownRegion& region, const std::vector<std::size_t>& crown) {
     const PlacedTrunk* trunk = region.trunk < 0 ? nullptr : &w.trunks[static_cast<std::size_t>(region.trunk)];
-    const double tx = trunk ? trunk->x - static_cast<double>(w.x) : 0, ty = trunk ? trunk->y - static_cast<double>(w.y) : 0;
+    const double tx = trunk ? trunk->x - static_cast<double>(w.x) : 0,
+                 ty = trunk ? trunk->y - static_cast<double>(w.y) : 0;
     const double free = trunk ? std::max(1.0, 2 * trunk->trunk.radius / raster_.cell) : -1;
     const TreeShape shape = tree_shape(w.cells, crown, tx, ty, free);
     const double x = trunk ? tx : shape.x, y = trunk ? ty : shape.y;  // cells of the window
     const double radius = std::sqrt(static_cast<double>(shape.cells) / 3.14159265358979323846) * raster_.cell;
     if (radius < params_.least_radius || shape.points < params_.least_points) return;
-    const double px = (x + static_cast<double>(w.x)) * raster_.factor, py = (y + static_cast<double>(w.y)) * raster_.factor;
+    if (trunk == nullptr && shape.elongation > params_.longest_shape) return;
+    const double px = (x + static_cast<double>(w.x)) * raster_.factor,
+                 py = (y + static_cast<double>(w.y)) * raster_.factor;
     const TileFrame own = tile_frame(tiles_.raster().grid, tile);
     if (px < own.x || py < own.y || px >= own.x + own.width || py >= own.y + own.height) return;
-    const Image ground = layer_window(tiles_.layers(), "level", static_cast<std::int64_t>(px),
-                                      static_cast<std::int64_t>(py), 1, 1);
+    const Image ground =
+        layer_window(tiles_.layers(), "level", static_cast<std::int64_t>(px), static_cast<std::int64_t>(py), 1, 1);
     if (ground.values[0] == kNoHeight) return;
     StreetTree tree;
     const TileRaster& raster = tiles_.raster();
@@ -266,7 +281,9 @@ class TreeFinder {
     tree.trunk_radius_m = trunk ? trunk->trunk.radius : 0;
     tree.points = shape.points;
     tree.unseen_share = unseen_share(w.cells, crown, x, y, bin_of(tree.crown_base_m), bin_of(tree.height_m));
-    if (tree.height_m < params_.least_height || !is_wanted(tree.position)) return;
+    if (tree.height_m < params_.least_height || radius < params_.least_shape * tree.height_m ||
+        !is_wanted(tree.position))
+      return;
     trees_[tile].push_back(tree);
   }
 
@@ -277,6 +294,7 @@ class TreeFinder {
 
   const Store& store_;
   const StreetTiles& tiles_;
+  StreetView view_;
   const PassContext& context_;
   const StreetTreesParams& params_;
   TreeRaster raster_;
@@ -288,9 +306,9 @@ class TreeFinder {
 
 }  // namespace
 
-std::vector<StreetTree> find_street_trees(const Store& store, const StreetTiles& tiles, const PassContext& context,
-                                          const StreetTreesParams& params) {
-  return TreeFinder(store, tiles, context, params).find();
+std::vector<StreetTree> find_street_trees(const Store& store, const StreetTiles& tiles, StreetView view,
+                                          const PassContext& context, const StreetTreesParams& params) {
+  return TreeFinder(store, tiles, view, context, params).find();
 }
 
 }  // namespace ilot

@@ -15,10 +15,15 @@ namespace {
 constexpr std::size_t kNone = SIZE_MAX;
 // Choice: kerbs of a street turn by less over a link; those of crossings have radii of half a metre and more.
 constexpr double kLeastCosine = 0.85;  // of the angle between the edges of linked places
-constexpr double kMostAside = 0.35;    // of the way to the next place; 19 degrees
-constexpr double kHeightStep = 0.05;   // metres; the height of a step changes by less from place to place
+// Choice: 19 degrees, about as much as an edge turns (kLeastCosine); tighter curves break a line.
+constexpr double kMostAside = 0.35;  // of the way to the next place; 19 degrees
+// Derived: two bins of the search for an edge (StepFit) are a sixteenth of the window each.
+constexpr double kSlack = 0.1;  // of the radius of a window; how far a place may be off its edge
+// Choice: a dropped kerb rises over half a metre or more, two windows.
+constexpr double kHeightStep = 0.05;  // metres; the height of a step changes by less from place to place
 // Choice: cars hide straight kerbs; the way across a side street is no kerb.
 constexpr double kBridgeCosine = 0.95, kBridgeAside = 0.1;
+// Choice: a tenth of what a plan of a street at 1:500 shows; larger values flatten curves.
 constexpr double kSameVertex = 0.01;  // metres; a vertex that is nearer to the line without it is left out
 
 struct Grid {
@@ -68,7 +73,7 @@ class KerbLinker {
 
   // For each place the nearest that continues it ahead and behind.
   void choose() {
-    const double reach = 4 * params_.spacing, least = 0.4 * params_.spacing, slack = 0.15 * params_.spacing;
+    const double reach = 2 * params_.radius, least = 0.4 * params_.spacing, slack = kSlack * params_.radius;
     Grid grid{reach, {}};
     for (std::size_t i = 0; i < places_.size(); ++i) grid.add(places_[i].x, places_[i].y, i);
     next_.assign(places_.size(), kNone), before_ = next_;
@@ -113,7 +118,8 @@ class KerbLinker {
   double length_of(const std::vector<std::size_t>& chain) const {
     double length = 0;
     for (std::size_t i = 1; i < chain.size(); ++i)
-      length += std::hypot(places_[chain[i]].x - places_[chain[i - 1]].x, places_[chain[i]].y - places_[chain[i - 1]].y);
+      length +=
+          std::hypot(places_[chain[i]].x - places_[chain[i - 1]].x, places_[chain[i]].y - places_[chain[i - 1]].y);
     return length;
   }
 
@@ -139,7 +145,7 @@ class KerbLinker {
       x.push_back(p.x), y.push_back(p.y), z.push_back(p.z), h.push_back(p.height);
     }
     KerbLine line;
-    const double reach = std::max(params_.smoothing, 3 * params_.spacing);
+    const double reach = std::max(params_.smoothing, 2 * params_.radius);
     for (std::size_t i = 0; i < s.size(); ++i)
       line.vertices.push_back(
           {value_at(s, x, i, reach), value_at(s, y, i, reach), value_at(s, z, i, reach), value_at(s, h, i, reach)});
@@ -207,7 +213,8 @@ class KerbLinker {
         const StepPoint start = end_of(lines[j], false);
         const Way w = way(end, start.x, start.y), back = way(start, end.x, end.y);
         const double most = kBridgeAside * w.length + 0.1;
-        if (w.along <= 0 || w.length > params_.longest_bridge || std::abs(w.aside) > most || std::abs(back.aside) > most)
+        if (w.along <= 0 || w.length > params_.longest_bridge || std::abs(w.aside) > most ||
+            std::abs(back.aside) > most)
           return;
         if (end.up_x * start.up_x + end.up_y * start.up_y >= kBridgeCosine) bridges.push_back({w.length, i, j});
       });

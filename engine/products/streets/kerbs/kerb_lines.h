@@ -24,14 +24,15 @@ struct KerbLine {
 
 struct KerbLineParams {
   double spacing = 0.3;        // metres between places on one step
+  double radius = 0.4;         // metres, of the windows in which they were found
   double least_length = 2;     // metres; shorter steps are no kerbs
   double smoothing = 1;        // metres along the line on both sides; vertices are means over it
   double longest_bridge = 12;  // metres that may be hidden, as by two cars
 };
 
 // Links places to lines. Each place has at most one successor: the nearest ahead that continues its edge and whose step
-// is about as high; two places are linked where each is the other's choice. Places are then smoothed along their line by
-// straight lines over some way, and vertices that change nothing are left out. The gap between the end of a line and
+// is about as high; two places are linked where each is the other's choice. Places are then smoothed along their line
+// by straight lines over some way, and vertices that change nothing are left out. The gap between the end of a line and
 // the start of another that continues it is bridged by a line that is not seen. The lines depend on the order of
 // `places` only by their own order. O(n log n).
 std::vector<KerbLine> link_kerbs(std::span<const StepPoint> places, const KerbLineParams& params);

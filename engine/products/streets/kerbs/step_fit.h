@@ -19,10 +19,10 @@ struct StepFitParams {
 
 // A step through a window. (x, y) is the point of its upper edge that is nearest to the middle.
 struct StepFit {
-  double x = 0, y = 0, z = 0;    // z: of the upper surface at the edge
-  double up_x = 1, up_y = 0;     // unit vector across the edge, towards the upper surface
-  double height = 0;             // metres, of the upper surface above the lower one at the edge
-  double rms = 0;                // metres, of the points to both surfaces
+  double x = 0, y = 0, z = 0;  // z: of the upper surface at the edge
+  double up_x = 1, up_y = 0;   // unit vector across the edge, towards the upper surface
+  double height = 0;           // metres, of the upper surface above the lower one at the edge
+  double rms = 0;              // metres, of the points to both surfaces
 };
 
 // Finds the straight step that parts the points best: of all lines through the window, the one for which a plane with a

@@ -2,6 +2,7 @@
 #include "engine/products/streets/trees/crowns.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <queue>
@@ -89,7 +90,10 @@ class CrownFinder {
       if (const std::uint32_t region = region_over(trunks_[t]); region != 0)
         by_region[region].push_back(static_cast<int>(t));
     std::map<std::uint32_t, std::vector<std::pair<int, std::uint32_t>>> split;  // trunks and their regions
-    for (const auto& [region, list] : by_region) {
+    for (auto& [region, list] : by_region) {
+      const int thickest =
+          *std::max_element(list.begin(), list.end(), [&](int a, int b) { return radius_of(a) < radius_of(b); });
+      std::erase_if(list, [&](int t) { return t != thickest && is_post(t, thickest); });
       trunk_[region - 1] = list[0];
       if (list.size() == 1) continue;
       split[region].emplace_back(list[0], region);
@@ -132,6 +136,8 @@ class CrownFinder {
   // The highest pass between each two regions that touch.
   void find_passes() {
     passes_.resize(tops_.size() + 1);
+    cells_.assign(tops_.size() + 1, 0);
+    for (const std::uint32_t region : of_) ++cells_[region];
     for (std::size_t i = 0; i < of_.size(); ++i) {
       if (of_[i] == 0) continue;
       for_neighbours(i, [&](std::size_t j) {
@@ -148,9 +154,32 @@ class CrownFinder {
 
   Height top_of(std::uint32_t region) const { return above_.values[tops_[region - 1]]; }
 
+  double radius_of(int trunk) const { return trunks_[static_cast<std::size_t>(trunk)].radius; }
+
+  // Whether one of two trunks is so thin beside the other that it is a post.
+  bool is_post(int a, int b) const {
+    const double thin = std::min(radius_of(a), radius_of(b)), thick = std::max(radius_of(a), radius_of(b));
+    return thick >= params_.post * thin;
+  }
+
+  // The trunk of two joined regions.
+  int trunk_of(int a, int b) const {
+    if (a < 0 || b < 0) return std::max(a, b);
+    return radius_of(a) >= radius_of(b) ? a : b;
+  }
+
+  bool is_slender(std::uint32_t region) const {
+    constexpr double kPi = 3.14159265358979323846;
+    const double radius = std::sqrt(static_cast<double>(cells_[region]) / kPi) * params_.cell;
+    return radius < params_.slender * top_of(region);
+  }
+
   bool may_join(const Join& j) const {
     const bool a = trunk_[j.first - 1] >= 0, b = trunk_[j.second - 1] >= 0;
-    return !(a && b) && j.share >= (a || b ? params_.pass_with_trunk : params_.pass_without_trunk);
+    if (a && b && !is_post(trunk_[j.first - 1], trunk_[j.second - 1])) return false;
+    const bool part = (!a && is_slender(j.first)) || (!b && is_slender(j.second));
+    const double pass = a || b ? params_.pass_with_trunk : params_.pass_without_trunk;
+    return j.share >= (part ? params_.pass_of_slender : pass);
   }
 
   void offer(std::uint32_t a, std::uint32_t b, Height pass) {
@@ -181,7 +210,8 @@ class CrownFinder {
   // The second region becomes part of the first.
   void unite(std::uint32_t a, std::uint32_t b) {
     into_[b] = a;
-    trunk_[a - 1] = std::max(trunk_[a - 1], trunk_[b - 1]);
+    cells_[a] += cells_[b];
+    trunk_[a - 1] = trunk_of(trunk_[a - 1], trunk_[b - 1]);
     if (top_of(b) > top_of(a)) tops_[a - 1] = tops_[b - 1];
     for (const auto& [other, pass] : passes_[b]) {
       passes_[other].erase(b);
@@ -215,6 +245,7 @@ class CrownFinder {
   std::vector<std::size_t> tops_;  // by region - 1
   std::vector<int> trunk_;
   std::vector<std::uint32_t> into_;
+  std::vector<std::size_t> cells_;                       // by region
   std::vector<std::map<std::uint32_t, Height>> passes_;  // by region, to its neighbours
   std::priority_queue<Join> joins_;
 };

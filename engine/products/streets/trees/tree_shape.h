@@ -22,10 +22,11 @@ constexpr std::uint32_t kVegetationBins = 30;
 constexpr double kVegetationBin = 0.5;  // metres
 
 struct TreeShape {
-  double x = 0, y = 0;          // middle of the cells, in cells from the corner of the images
-  std::size_t cells = 0;        // in plan
-  Height top = kNoHeight;       // z
-  Height base = kNoHeight;      // z; a tenth of the cells reach lower
+  double x = 0, y = 0;      // middle of the cells, in cells from the corner of the images
+  std::size_t cells = 0;    // in plan
+  double elongation = 1;    // length over width of the ellipse with the same moments
+  Height top = kNoHeight;   // z
+  Height base = kNoHeight;  // z; a tenth of the cells reach lower
   std::uint64_t points = 0;
 };
 

@@ -24,7 +24,7 @@ struct TrunkVoxels {
 };
 
 struct TrunkParams {
-  double widest = 1.3;  // metres; what is wider in a slice is no trunk
+  double widest = 1.3;      // metres; what is wider in a slice is no trunk
   double least_run = 0.75;  // metres; a trunk is seen over so much of its height
   double apart = 0.3;       // metres; the middles of a trunk in slices above each other are no farther apart
   double foot = 1.3;        // metres above the ground; a trunk is seen from there on, or lower

@@ -52,14 +52,12 @@ TEST(KerbLines, OneStraightKerbIsOneLineWithTheUpperSideOnItsLeft) {
 }
 
 TEST(KerbLines, TheGapOfACarIsBridgedAndToldApart) {
-  const std::vector<KerbLine> lines =
-      link_kerbs(places_of(0.02, [](double x) { return x < 10 || x > 15; }), params());
+  const std::vector<KerbLine> lines = link_kerbs(places_of(0.02, [](double x) { return x < 10 || x > 15; }), params());
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_TRUE(lines[0].seen && lines[1].seen);
   EXPECT_FALSE(lines[2].seen);
   EXPECT_NEAR(length_of(lines[2]), 5.2, 0.3);
-  const std::vector<KerbLine> wide =
-      link_kerbs(places_of(0.02, [](double x) { return x < 7 || x > 22; }), params());
+  const std::vector<KerbLine> wide = link_kerbs(places_of(0.02, [](double x) { return x < 7 || x > 22; }), params());
   EXPECT_EQ(wide.size(), 2u);
 }
 

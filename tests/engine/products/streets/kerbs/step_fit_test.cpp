@@ -47,11 +47,11 @@ TEST(StepFit, EdgeAndHeightInAllDirections) {
 }
 
 TEST(StepFit, NoStepOnPlanesRampsAndRoughGround) {
-  EXPECT_FALSE(fit_step(points_of({20, 0, 0, 0.18}, 0.02, 1), {}));        // a steep street
+  EXPECT_FALSE(fit_step(points_of({20, 0, 0, 0.18}, 0.02, 1), {}));          // a steep street
   EXPECT_FALSE(fit_step(points_of({20, 0, 0, 0.1, 0.03, 0.03}, 0, 2), {}));  // a gutter
-  EXPECT_FALSE(fit_step(points_of({20, 0, 0.02}, 0.01, 3), {}));           // lower than a kerb
-  EXPECT_FALSE(fit_step(points_of({20, 0, 0.5}, 0.01, 4), {}));            // a wall
-  EXPECT_FALSE(fit_step(points_of({20, 0, 0}, 0.3, 5), {}));               // a lawn
+  EXPECT_FALSE(fit_step(points_of({20, 0, 0.02}, 0.01, 3), {}));             // lower than a kerb
+  EXPECT_FALSE(fit_step(points_of({20, 0, 0.5}, 0.01, 4), {}));              // a wall
+  EXPECT_FALSE(fit_step(points_of({20, 0, 0}, 0.3, 5), {}));                 // a lawn
   EXPECT_FALSE(fit_step({}, {}));
 }
 
