@@ -120,7 +120,7 @@ class CInterface(unittest.TestCase):
         stored = json.loads((self.folder / "front/facades/facade-001.json").read_text())
         self.assertEqual(len(facades[0]["elements"]), len(stored["elements"]))
         streets = self.text(self.ilot.ilot_read_streets, os.fsencode(self.folder / "front"))
-        self.assertEqual(set(streets), {"objects", "blocks", "gaps"})
+        self.assertEqual(set(streets), {"objects", "blocks", "gaps", "trees", "kerbs"})
 
     def test_a_callback_stops_the_run_and_it_can_be_resumed(self):
         stop = PROGRESS(lambda user, stage, *rest: int(stage == b"planes"))
