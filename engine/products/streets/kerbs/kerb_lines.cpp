@@ -60,8 +60,7 @@ class KerbLinker {
     std::vector<KerbLine> lines;
     for (const std::vector<std::size_t>& chain : chains())
       if (length_of(chain) >= params_.least_length) lines.push_back(smoothed(chain));
-    add_bridges(lines);
-    return lines;
+    return bridged(lines);
   }
 
  private:
@@ -197,11 +196,13 @@ class KerbLinker {
     return {at.x, at.y, at.z, -dy, dx, at.height};
   }
 
-  void add_bridges(std::vector<KerbLine>& lines) const {
-    struct Bridge {
-      double length;
-      std::size_t from, to;
-    };
+  // The way from the end of one line to the start of another that continues it.
+  struct Bridge {
+    double length;
+    std::size_t from, to;
+  };
+
+  std::vector<Bridge> bridges_between(const std::vector<KerbLine>& lines) const {
     std::vector<Bridge> bridges;
     Grid grid{params_.longest_bridge, {}};
     for (std::size_t i = 0; i < lines.size(); ++i)
@@ -212,22 +213,46 @@ class KerbLinker {
         if (j == i) return;
         const StepPoint start = end_of(lines[j], false);
         const Way w = way(end, start.x, start.y), back = way(start, end.x, end.y);
-        const double most = kBridgeAside * w.length + 0.1;
-        if (w.along <= 0 || w.length > params_.longest_bridge || std::abs(w.aside) > most ||
-            std::abs(back.aside) > most)
-          return;
+        const double most = kBridgeAside * w.length + 0.25 * params_.radius;
+        const bool near = w.along > 0 && w.length <= params_.longest_bridge;
+        if (!near || std::abs(w.aside) > most || std::abs(back.aside) > most) return;
         if (end.up_x * start.up_x + end.up_y * start.up_y >= kBridgeCosine) bridges.push_back({w.length, i, j});
       });
     }
     std::sort(bridges.begin(), bridges.end(), [](const Bridge& a, const Bridge& b) {
       return std::tie(a.length, a.from, a.to) < std::tie(b.length, b.from, b.to);
     });
-    std::vector<std::uint8_t> left(lines.size(), 0), entered(lines.size(), 0);
-    for (const Bridge& b : bridges) {
+    return bridges;
+  }
+
+  // Lines that continue each other within two windows are one: both windows saw the edge. Over longer gaps they are
+  // connected by lines that are not seen.
+  std::vector<KerbLine> bridged(const std::vector<KerbLine>& lines) const {
+    std::vector<std::size_t> after(lines.size(), kNone);
+    std::vector<std::uint8_t> left(lines.size(), 0), entered(lines.size(), 0), joined(lines.size(), 0);
+    std::vector<KerbLine> all, hidden;
+    for (const Bridge& b : bridges_between(lines)) {
       if (left[b.from] != 0 || entered[b.to] != 0) continue;
       left[b.from] = entered[b.to] = 1;
-      lines.push_back({false, {lines[b.from].vertices.back(), lines[b.to].vertices.front()}});
+      if (b.length <= 2 * params_.radius)
+        after[b.from] = b.to, joined[b.to] = 1;
+      else
+        hidden.push_back({false, {lines[b.from].vertices.back(), lines[b.to].vertices.front()}});
     }
+    std::vector<std::uint8_t> used(lines.size(), 0);
+    const auto follow = [&](std::size_t first) {
+      KerbLine line;
+      for (std::size_t i = first; i != kNone && used[i] == 0; i = after[i]) {
+        used[i] = 1;
+        line.vertices.insert(line.vertices.end(), lines[i].vertices.begin(), lines[i].vertices.end());
+      }
+      if (!line.vertices.empty()) all.push_back(std::move(line));
+    };
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (joined[i] == 0) follow(i);
+    for (std::size_t i = 0; i < lines.size(); ++i) follow(i);  // rings
+    all.insert(all.end(), hidden.begin(), hidden.end());
+    return all;
   }
 
   std::span<const StepPoint> places_;

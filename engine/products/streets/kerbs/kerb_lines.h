@@ -32,8 +32,8 @@ struct KerbLineParams {
 
 // Links places to lines. Each place has at most one successor: the nearest ahead that continues its edge and whose step
 // is about as high; two places are linked where each is the other's choice. Places are then smoothed along their line
-// by straight lines over some way, and vertices that change nothing are left out. The gap between the end of a line and
-// the start of another that continues it is bridged by a line that is not seen. The lines depend on the order of
+// by straight lines over some way, and vertices that change nothing are left out. Lines that continue each other within
+// two windows are joined; a longer gap is bridged by a line that is not seen. The lines depend on the order of
 // `places` only by their own order. O(n log n).
 std::vector<KerbLine> link_kerbs(std::span<const StepPoint> places, const KerbLineParams& params);
 

@@ -61,6 +61,18 @@ TEST(KerbLines, TheGapOfACarIsBridgedAndToldApart) {
   EXPECT_EQ(wide.size(), 2u);
 }
 
+// Places whose steps differ by 8 cm are not linked, but the lines of both continue each other.
+TEST(KerbLines, AKerbThatDropsIsOneLine) {
+  std::vector<StepPoint> places = places_of(0, [](double) { return true; });
+  for (StepPoint& p : places)
+    if (p.x > 10) p.height += 0.08;
+  const std::vector<KerbLine> lines = link_kerbs(places, params());
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_NEAR(length_of(lines[0]), 29.8 * std::hypot(1, 0.1), 0.3);
+  EXPECT_NEAR(lines[0].vertices.front().height, 0.1, 1e-6);
+  EXPECT_NEAR(lines[0].vertices.back().height, 0.18, 1e-6);
+}
+
 TEST(KerbLines, ShortStepsAndSinglePlacesAreNone) {
   EXPECT_TRUE(link_kerbs(places_of(0, [](double x) { return x < 1.5; }), params()).empty());
   EXPECT_TRUE(link_kerbs(places_of(0, [](double x) { return std::fmod(x, 2) < 0.15; }), params()).empty());
