@@ -154,7 +154,8 @@ void add_layers(const Store& store, const FoundStreet& street, const ObjectLabel
   if (context.wanted) all.advance = [](std::uint64_t) {};
   write_street_labels(store, tiles, labels, least_height, all);
   plan.trees = find_street_trees(store, tiles, street.view, context);
-  plan.kerbs = find_street_kerbs(store, tiles, street.density, context);
+  // From the air too few points are on both sides of a step (docs/streets.md).
+  if (street.view == StreetView::street) plan.kerbs = find_street_kerbs(store, tiles, street.density, context);
   if (context.wanted) write_street_labels(store, tiles, labels, least_height, context);
 }
 
