@@ -149,6 +149,27 @@ Json part_json(const FacadePart& p) {
           {"to", json_of(p.to)},  {"length_m", p.length_m}, {"height_m", p.height_m}};
 }
 
+Json tree_json(const StreetTree& t) {
+  return {{"id", t.id},
+          {"position", json_of(t.position)},
+          {"trunk_seen", t.trunk_seen},
+          {"height_m", t.height_m},
+          {"crown_radius_m", t.crown_radius_m},
+          {"crown_base_m", t.crown_base_m},
+          {"trunk_radius_m", t.trunk_radius_m},
+          {"unseen_share", t.unseen_share},
+          {"points", t.points}};
+}
+
+Json kerb_json(const StreetKerb& k) {
+  return {{"id", k.id},
+          {"seen", k.seen},
+          {"line", list_of(k.line, [](const Vec3& p) { return json_of(p); })},
+          {"heights_m", k.heights_m},
+          {"height_m", k.height_m},
+          {"length_m", k.length_m}};
+}
+
 Json planes_json(const PlaneSet& set) {
   Json list = Json::array();
   for (std::size_t i = 0; i < set.segments.size(); ++i) list.push_back(plane_json(set.segments[i], set.outlines[i]));
@@ -158,7 +179,9 @@ Json planes_json(const PlaneSet& set) {
 Json streets_json(const StreetPlan& plan) {
   return {{"objects", list_of(plan.objects, object_json)},
           {"blocks", list_of(plan.blocks, part_json)},
-          {"gaps", list_of(plan.gaps, part_json)}};
+          {"gaps", list_of(plan.gaps, part_json)},
+          {"trees", list_of(plan.trees, tree_json)},
+          {"kerbs", list_of(plan.kerbs, kerb_json)}};
 }
 
 template <typename Read>

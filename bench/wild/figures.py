@@ -6,7 +6,7 @@ one whose loss is compared with the drawn parameters; it is a share, 1 is best.
 """
 import json
 
-VERSION = 1  # of the figures; kept results of another version are made again
+VERSION = 2  # of the figures; kept results of another version are made again
 
 SCENES = {
     "facades": ["facade-wild", "row-wild", "court-wild"],
@@ -26,6 +26,8 @@ DIRECTIONS = {
     "outline p95, m": "-", "closed": "+",
     "detected": "+", "false": "-", "right class": "+", "detected and right": "+", "calibration error": "-",
     "class ground": "+", "class facade": "+", "class vegetation": "+",
+    "trees found": "+", "trees false": "-", "trees p95, m": "-", "trees with trunk p95, m": "-", "tree heights p50, m": "-",
+    "kerbs complete": "+", "kerbs correct": "+", "kerbs plan p95, m": "-", "kerbs height p95, m": "-",
     "points": "+", "planes matched": "+", "planes under": "-",
     "cpu s a million points": "-", "peak MiB": "-",
 }
@@ -75,6 +77,22 @@ def of_streets(e):
     for name in ("ground", "facade", "vegetation"):
         if name in confusion.get("classes", []):
             found[f"class {name}"] = confusion["sensitivity"][confusion["classes"].index(name)]
+    return found | of_street_map(e)
+
+
+def of_street_map(e):
+    found = {}
+    trees, kerbs = e.get("trees"), e.get("kerbs")
+    if trees and trees["true"]:
+        found = {"trees found": share(trees["matched"], trees["true"]),
+                 "trees false": share(trees["false"], trees["found"]) or 0,
+                 "trees p95, m": trees["position"]["p95_m"],
+                 "trees with trunk p95, m": trees["position_trunk_seen"]["p95_m"],
+                 "tree heights p50, m": trees["height"]["median_m"]}
+    if kerbs and kerbs["true_m"] >= 10:
+        found |= {"kerbs complete": kerbs["complete"], "kerbs plan p95, m": kerbs["plan"]["p95_m"],
+                  "kerbs correct": kerbs["correct"] if kerbs["found_m"] > 0 else None,
+                  "kerbs height p95, m": kerbs["height"]["p95_m"]}
     return found
 
 

@@ -79,6 +79,11 @@ StreetPlan read_streets(const fs::path& run_folder) {
   StreetPlan plan;
   plan.objects = read_objects_gpkg(result_file(run_folder, "streets/objects.gpkg", "streets"));
   read_blocks_gpkg(result_file(run_folder, "streets/blocks.gpkg", "streets"), plan);
+  // Runs of earlier versions have neither.
+  if (const fs::path trees = run_folder / "streets" / "trees.gpkg"; fs::exists(trees))
+    plan.trees = read_trees_gpkg(trees);
+  if (const fs::path kerbs = run_folder / "streets" / "kerbs.gpkg"; fs::exists(kerbs))
+    plan.kerbs = read_kerbs_gpkg(kerbs);
   return plan;
 }
 

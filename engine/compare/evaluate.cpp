@@ -226,6 +226,36 @@ void evaluate_street(const ResultFiles& files, const LabelCounts& counts, const 
     evaluation.probabilities = evaluate_probabilities(*files.objects, evaluation.objects->right_of_found);
 }
 
+// Trees and kerbs of a street, with what the cloud has of those of the truth.
+void evaluate_street_map(const ResultFiles& files, const LabelCounts& counts, const Truth& truth,
+                         Evaluation& evaluation) {
+  if ((!truth.has_trees && !truth.has_kerbs) || !counts.has_true_element || !files.trees || !files.kerbs) return;
+  std::map<std::uint32_t, SeenTree> trees;
+  for (const TrueTree& tree : truth.trees) trees[tree.id] = {};
+  const double metres = counts.metres_per_unit;
+  KerbSight sight(truth.kerbs, metres);
+  std::uint32_t ground = 0;
+  for (const auto& [number, name] : truth.classes)
+    if (name == "ground") ground = number;
+  for (const fs::path& cloud : files.clouds) {
+    const std::unique_ptr<PointReader> reader = open_cloud(cloud);
+    const RecordLayout& layout = reader->info().layout;
+    const auto element = find_integer_field(layout, "true_element"), kind = find_integer_field(layout, "true_class");
+    if (!element || !kind) continue;
+    for_each_record(*reader, [&](const std::byte* record) {
+      const Vec3 p = position_of(record, layout);
+      if (static_cast<std::uint32_t>(integer_of(record, *kind)) == ground) sight.add(p);
+      const auto tree = trees.find(static_cast<std::uint32_t>(integer_of(record, *element)));
+      if (tree == trees.end()) return;
+      SeenTree& seen = tree->second;
+      seen.top = seen.points == 0 ? p.z : std::max(seen.top, p.z);
+      ++seen.points;
+    });
+  }
+  if (truth.has_trees) evaluation.trees = evaluate_trees(truth.trees, trees, read_trees_gpkg(*files.trees), metres);
+  if (truth.has_kerbs) evaluation.kerbs = evaluate_kerbs(sight, truth.kerbs, read_kerbs_gpkg(*files.kerbs), metres);
+}
+
 // Tells whether the record of a run states footprints. False without a record.
 bool states_footprints(const fs::path& record) {
   std::ifstream file(record);
@@ -252,7 +282,12 @@ ResultFiles find_results(const fs::path& result) {
   files.facades = files_in(result / "facades", named(".json"));
   files.outlines_given = states_footprints(result / "run.json");
   if (fs::is_regular_file(result / "planes.csv")) files.planes_csv = result / "planes.csv";
-  if (fs::is_regular_file(result / "streets" / "objects.gpkg")) files.objects = result / "streets" / "objects.gpkg";
+  const auto of_streets = [&](const char* name) {
+    const fs::path file = result / "streets" / name;
+    return fs::is_regular_file(file) ? std::optional(file) : std::nullopt;
+  };
+  files.objects = of_streets("objects.gpkg");
+  files.trees = of_streets("trees.gpkg"), files.kerbs = of_streets("kerbs.gpkg");
   for (const char* end : {".city.jsonl", ".city.json", ".obj"}) {
     const std::vector<fs::path> models = files_in(result / "roofs", named(end));
     if (!files.roofs && !models.empty()) files.roofs = models.front();
@@ -275,6 +310,7 @@ Evaluation evaluate(const fs::path& result, const Truth& truth, const EvaluatePa
   evaluate_facades(files, truth, params, counts.metres_per_unit, evaluation);
   evaluate_roof_models(files, truth, counts.metres_per_unit, evaluation);
   evaluate_street(files, counts, truth, evaluation);
+  evaluate_street_map(files, counts, truth, evaluation);
   const bool any_result = evaluation.confusion || evaluation.planes || evaluation.control_points ||
                           evaluation.openings || evaluation.roofs || evaluation.objects;
   if (!any_result)

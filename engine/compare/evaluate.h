@@ -20,6 +20,8 @@
 #include "engine/compare/planes/plane_sizes.h"
 #include "engine/compare/roofs/roofs.h"
 #include "engine/compare/roofs/wireframe.h"
+#include "engine/compare/streets/kerb_errors.h"
+#include "engine/compare/streets/tree_errors.h"
 
 namespace ilot {
 
@@ -68,13 +70,15 @@ struct Evaluation {
   std::optional<RoofEvaluation> roofs;
   std::optional<ObjectResult> objects;
   std::optional<ProbabilityEvaluation> probabilities;  // of the classes of found objects
-  std::vector<std::string> notes;                      // what the truth contains and the result does not
+  std::optional<TreeResult> trees;
+  std::optional<KerbResult> kerbs;
+  std::vector<std::string> notes;  // what the truth contains and the result does not
 };
 
 // The files in an output folder of a run, or the one file that is given: a labelled cloud, or models of roofs.
 struct ResultFiles {
   std::vector<std::filesystem::path> clouds, facades;
-  std::optional<std::filesystem::path> planes_csv, roofs, objects;
+  std::optional<std::filesystem::path> planes_csv, roofs, objects, trees, kerbs;
   bool outlines_given = false;  // the outlines of roofs are footprints
 };
 ResultFiles find_results(const std::filesystem::path& result);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/compare/evaluation_report.h"
+#include "engine/compare/streets/street_report.h"
 #include "engine/markup.h"
 
 namespace ilot {
@@ -218,6 +219,8 @@ std::string evaluation_html(const Evaluation& e) {
   if (e.roofs) html += roofs_html(*e.roofs);
   if (e.objects) html += objects_html(*e.objects);
   if (e.probabilities) html += reliability_html(e.probabilities->all);
+  if (e.trees) html += "<h3>Trees</h3>\n<pre>" + escaped_markup(trees_text(*e.trees)) + "</pre>\n";
+  if (e.kerbs) html += "<h3>Kerbs</h3>\n<pre>" + escaped_markup(kerbs_text(*e.kerbs)) + "</pre>\n";
   for (const std::string& note : e.notes) html += "<p>" + escaped_markup(note) + "</p>\n";
   return html + "</section>\n";
 }

@@ -5,6 +5,7 @@
 
 #include "engine/compare/evaluation_report.h"
 #include "engine/compare/roofs/wireframe_report.h"
+#include "engine/compare/streets/street_report.h"
 
 namespace ilot {
 namespace {
@@ -181,6 +182,8 @@ std::string evaluation_json(const Evaluation& e) {
     json["probabilities"] = json_of(e.probabilities->all);
     for (const auto& [name, r] : e.probabilities->by_class) json["probabilities"]["classes"][name] = json_of(r);
   }
+  if (e.trees) json["trees"] = trees_json(*e.trees);
+  if (e.kerbs) json["kerbs"] = kerbs_json(*e.kerbs);
   json["notes"] = e.notes;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -6,6 +6,7 @@
 
 #include "engine/compare/evaluation_report.h"
 #include "engine/compare/roofs/wireframe_report.h"
+#include "engine/compare/streets/street_report.h"
 
 namespace ilot {
 namespace {
@@ -215,6 +216,8 @@ std::string evaluation_text(const Evaluation& e) {
   if (e.roofs) parts.push_back(roofs_text(*e.roofs));
   if (e.objects) parts.push_back(objects_text(*e.objects));
   if (e.probabilities) parts.push_back(probabilities_text(*e.probabilities));
+  if (e.trees) parts.push_back(trees_text(*e.trees));
+  if (e.kerbs) parts.push_back(kerbs_text(*e.kerbs));
   for (const std::string& note : e.notes) parts.push_back("note: " + note + "\n");
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : "\n") + part;

@@ -59,6 +59,19 @@ TrueElement element_of(const JsonNode& node) {
   return e;
 }
 
+TrueTree tree_of(const JsonNode& node) {
+  return {node.at("id").id(), node.at("base").position(), node.at("height_m").number(),
+          node.has("crown_base_m") ? node.at("crown_base_m").number() : 0,
+          node.has("crown_radius_m") ? node.at("crown_radius_m").number() : 0};
+}
+
+TrueKerb kerb_of(const JsonNode& node) {
+  TrueKerb kerb{{}, node.at("height_m").number()};
+  node.at("line").each([&](const JsonNode& vertex) { kerb.line.push_back(vertex.position()); });
+  if (kerb.line.size() < 2) node.fail("needs a line of two vertices or more");
+  return kerb;
+}
+
 std::map<std::uint32_t, std::string> classes_of(const JsonNode& node) {
   std::map<std::uint32_t, std::string> classes;
   if (!node.json.is_object()) node.fail("needs an object");
@@ -105,6 +118,8 @@ Truth parse_truth(std::string_view text, const std::string& name) {
   read_list(root, "objects", truth.objects, truth.has_objects, [](const JsonNode& n) {
     return TrueObject{n.at("id").id(), n.at("class").text(), n.has("points") ? n.at("points").count() : 0};
   });
+  read_list(root, "trees", truth.trees, truth.has_trees, tree_of);
+  read_list(root, "kerbs", truth.kerbs, truth.has_kerbs, kerb_of);
   read_list(root, "buildings", truth.buildings, truth.has_buildings, [](const JsonNode& n) { return n.at("id").id(); });
   return truth;
 }

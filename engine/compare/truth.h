@@ -55,6 +55,17 @@ struct TrueObject {
   std::uint64_t points = 0;
 };
 
+struct TrueTree {
+  std::uint32_t id = 0;  // the value of true_element
+  Vec3 base;             // of the trunk
+  double height_m = 0, crown_base_m = 0, crown_radius_m = 0;
+};
+
+struct TrueKerb {
+  Ring3 line;           // open; on the upper edge
+  double height_m = 0;  // of the step
+};
+
 struct Truth {
   std::map<std::uint32_t, std::string> classes;  // names of true_class; class 0 is never judged
   std::vector<TruePlane> planes;
@@ -62,8 +73,11 @@ struct Truth {
   std::vector<TrueOpening> openings;
   std::vector<TrueControlPoint> control_points;
   std::vector<TrueObject> objects;
+  std::vector<TrueTree> trees;
+  std::vector<TrueKerb> kerbs;
   std::vector<std::uint32_t> buildings;  // ids
   bool has_openings = false, has_control_points = false, has_objects = false, has_buildings = false;
+  bool has_trees = false, has_kerbs = false;
 };
 
 // Arrays that are not in the file are empty; other keys than those above are ignored. What is in the file must have its

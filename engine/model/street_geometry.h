@@ -10,4 +10,7 @@ namespace ilot {
 // rectangle is `middle`.
 std::array<Vec3, 4> extent_of(const StreetObject& object, double metres_per_unit);
 
+// Returns the corners of a polygon of 32 sides around the crown of a tree, counter-clockwise, with the crown's radius.
+std::array<Vec3, 32> crown_of(const StreetTree& tree, double metres_per_unit);
+
 }  // namespace ilot

@@ -53,7 +53,7 @@ struct RoofCounts {
 };
 
 struct StreetCounts {
-  std::uint64_t objects = 0, blocks = 0, gaps = 0;
+  std::uint64_t objects = 0, blocks = 0, gaps = 0, trees = 0, kerbs = 0;
 };
 
 struct FacadeCounts {

@@ -35,9 +35,34 @@ struct FacadePart {
   double length_m = 0, height_m = 0;
 };
 
+// A tree, of at least three metres.
+struct StreetTree {
+  std::uint32_t id = 0;       // from 1
+  Vec3 position;              // of the trunk's axis at the ground; of the middle of the crown where no trunk was seen
+  bool trunk_seen = false;    // something narrow stands below the crown and reaches up to it
+  double height_m = 0;        // of the highest point above the ground at the position
+  double crown_radius_m = 0;  // of the circle with the area of the crown in plan
+  double crown_base_m = 0;    // above the ground; a tenth of the crown in plan reaches lower
+  double trunk_radius_m = 0;  // at 0.3 to 3.3 m above the ground; 0 = no trunk was seen
+  double unseen_share = 0;    // of the crown's sides: parts of 45 degrees and half a metre without a point
+  std::uint64_t points = 0;   // of the crown
+};
+
+// A step of the ground between road and pavement, or a part of it that was not seen.
+struct StreetKerb {
+  std::uint32_t id = 0;           // from 1
+  bool seen = true;               // false: the straight line between the ends of two seen kerbs
+  std::vector<Vec3> line;         // on the upper edge
+  std::vector<double> heights_m;  // of the step at each vertex of the line
+  double height_m = 0;            // their median
+  double length_m = 0;            // in plan
+};
+
 struct StreetPlan {
   std::vector<StreetObject> objects;
   std::vector<FacadePart> blocks, gaps;
+  std::vector<StreetTree> trees;
+  std::vector<StreetKerb> kerbs;
 };
 
 // Reads objects.gpkg and blocks.gpkg in streets/ of a run with the product streets. `middle` is that of the written

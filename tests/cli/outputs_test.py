@@ -79,7 +79,9 @@ class Outputs(unittest.TestCase):
         expected = {"planes.gpkg": {"planes": self.counts["planes"]},
                     "roofs.gpkg": {"buildings": self.counts["roofs"]["buildings"]},
                     "blocks.gpkg": {"blocks": self.counts["streets"]["blocks"], "gaps": self.counts["streets"]["gaps"]},
-                    "objects.gpkg": {"objects": self.counts["streets"]["objects"]}}
+                    "objects.gpkg": {"objects": self.counts["streets"]["objects"]},
+                    "trees.gpkg": {"trees": self.counts["streets"]["trees"], "crowns": self.counts["streets"]["trees"]},
+                    "kerbs.gpkg": {"kerbs": self.counts["streets"]["kerbs"]}}
         self.assertEqual({p.name for p in self.files(".gpkg")}, set(expected))
         for path in self.files(".gpkg"):
             for layer, count in expected[path.name].items():

@@ -151,6 +151,49 @@ std::vector<StreetObject> read_objects_gpkg(const std::filesystem::path& path) {
   return objects;
 }
 
+std::vector<StreetKerb> read_kerbs_gpkg(const std::filesystem::path& path) {
+  LayerFile file(path);
+  std::vector<StreetKerb> kerbs;
+  file.for_each("kerbs", [&](const OGRFeature& feature, const OGRGeometry& geometry) {
+    if (wkbFlatten(geometry.getGeometryType()) != wkbLineString) file.fail("a kerb is no line");
+    StreetKerb k;
+    k.id = file.number(feature, "kerb_id");
+    k.seen = file.number(feature, "seen") != 0;
+    k.height_m = file.real(feature, "height_m");
+    k.length_m = file.real(feature, "length_m");
+    for (const OGRPoint& p : *geometry.toLineString()) k.line.push_back(place_of(p));
+    k.heights_m.assign(k.line.size(), k.height_m);
+    kerbs.push_back(std::move(k));
+  });
+  file.for_each("heights", [&](const OGRFeature& feature, const OGRGeometry&) {
+    const std::uint64_t kerb = file.whole(feature, "kerb_id"), vertex = file.whole(feature, "vertex");
+    if (kerb < 1 || kerb > kerbs.size() || vertex < 1 || vertex > kerbs[kerb - 1].heights_m.size())
+      file.fail("the layers 'kerbs' and 'heights' do not agree");
+    kerbs[kerb - 1].heights_m[vertex - 1] = file.real(feature, "height_m");
+  });
+  return kerbs;
+}
+
+std::vector<StreetTree> read_trees_gpkg(const std::filesystem::path& path) {
+  LayerFile file(path);
+  std::vector<StreetTree> trees;
+  file.for_each("trees", [&](const OGRFeature& feature, const OGRGeometry& geometry) {
+    if (wkbFlatten(geometry.getGeometryType()) != wkbPoint) file.fail("the place of a tree is no point");
+    StreetTree t;
+    t.id = file.number(feature, "tree_id");
+    t.position = place_of(*geometry.toPoint());
+    t.trunk_seen = file.number(feature, "trunk_seen") != 0;
+    t.height_m = file.real(feature, "height_m");
+    t.crown_radius_m = file.real(feature, "crown_radius_m");
+    t.crown_base_m = file.real(feature, "crown_base_m");
+    t.trunk_radius_m = file.real(feature, "trunk_radius_m");
+    t.unseen_share = file.real(feature, "unseen_share");
+    t.points = file.whole(feature, "points");
+    trees.push_back(t);
+  });
+  return trees;
+}
+
 void read_blocks_gpkg(const std::filesystem::path& path, StreetPlan& plan) {
   LayerFile file(path);
   plan.blocks = parts_of_layer(file, "blocks");

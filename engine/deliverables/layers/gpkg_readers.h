@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Readers of the GeoPackages that a run writes (planes_gpkg.h, streets_gpkg.h).
+// Readers of the GeoPackages that a run writes (planes_gpkg.h, streets_gpkg.h, trees_gpkg.h,
+// kerbs_gpkg.h).
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -19,6 +20,8 @@ std::vector<Outline> read_planes_gpkg(const std::filesystem::path& path);
 
 // Return the objects of objects.gpkg, without the heights of their middles, and the parts of blocks.gpkg. An Error
 // names the file.
+std::vector<StreetKerb> read_kerbs_gpkg(const std::filesystem::path& path);
+std::vector<StreetTree> read_trees_gpkg(const std::filesystem::path& path);
 std::vector<StreetObject> read_objects_gpkg(const std::filesystem::path& path);
 void read_blocks_gpkg(const std::filesystem::path& path, StreetPlan& plan);
 

@@ -120,6 +120,14 @@ LayerStyle style_of_gaps() {
   return {"gaps", StyleSymbol::dashed_line, "", false, {{"", "", "216,130,90"}}};
 }
 
+LayerStyle style_of_kerbs() {
+  return {"seen", StyleSymbol::line, "seen", false, {{"1", "kerb", "178,34,96"}, {"0", "not seen", "226,150,186"}}};
+}
+
+LayerStyle style_of_trees(StyleSymbol symbol) {
+  return {"trunk", symbol, "trunk_seen", false, {{"1", "trunk seen", "47,125,50"}, {"0", "crown only", "139,195,74"}}};
+}
+
 std::string layer_style_qml(const LayerStyle& style) {
   return "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n<qgis version=\"3.22\" "
          "styleCategories=\"Symbology\">\n" +

@@ -30,6 +30,8 @@ LayerStyle style_of_planes();                     // by root mean square distanc
 LayerStyle style_of_objects(StyleSymbol symbol);  // by class
 LayerStyle style_of_blocks();
 LayerStyle style_of_gaps();
+LayerStyle style_of_kerbs();                    // by whether they were seen
+LayerStyle style_of_trees(StyleSymbol symbol);  // by whether a trunk was seen
 
 // Returns the style as QML, symbols only. The same style gives the same bytes.
 std::string layer_style_qml(const LayerStyle& style);

@@ -16,6 +16,8 @@ namespace {
 constexpr double kMargin = 5;         // metres around the drawn content
 constexpr double kLeastSymbol = 0.3;  // metres; smaller objects are drawn with this size
 constexpr double kScaleBar = 20;      // metres
+constexpr double kTreeDot = 0.3;      // metres; radius of the dot at the trunk
+constexpr const char *kTree = "#2f7d32", *kTrunk = "#5d4037", *kKerb = "#b22260";
 
 const char* colour_of(PointLabel label) {
   switch (label) {
@@ -41,6 +43,10 @@ class Sheet {
     for (const StreetObject& o : plan.objects) add(o.middle);
     for (const auto* parts : {&plan.blocks, &plan.gaps})
       for (const FacadePart& part : *parts) add(part.from), add(part.to);
+    for (const StreetKerb& kerb : plan.kerbs)
+      for (const Vec3& p : kerb.line) add(p);
+    for (const StreetTree& tree : plan.trees)
+      for (const Vec3& p : crown_of(tree, metres_per_unit)) add(p);
     if (min_.x > max_.x) min_ = max_ = {};
   }
   double x(Vec3 p) const { return (p.x - min_.x) * metres_ + kMargin; }
@@ -74,6 +80,29 @@ std::string symbol(const Sheet& sheet, const StreetObject& o, double metres_per_
                      points, colour_of(o.label), name_of(o.label), o.id, 100 * o.probability, o.height_m);
 }
 
+std::string kerb_line(const Sheet& sheet, const StreetKerb& kerb) {
+  std::string points;
+  for (const Vec3& p : kerb.line) points += fmt::format("{:.2f},{:.2f} ", sheet.x(p), sheet.y(p));
+  points.pop_back();
+  return fmt::format(
+      "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.2\"{}><title>kerb {}: {:.2f} m high{}"
+      "</title></polyline>\n",
+      points, kKerb, kerb.seen ? "" : " stroke-dasharray=\"0.6 0.6\"", kerb.id, kerb.height_m,
+      kerb.seen ? "" : ", not seen");
+}
+
+std::string tree_symbol(const Sheet& sheet, const StreetTree& tree) {
+  const double x = sheet.x(tree.position), y = sheet.y(tree.position);
+  return fmt::format(
+             "<circle cx=\"{0:.2f}\" cy=\"{1:.2f}\" r=\"{2:.2f}\" fill=\"{3}\" fill-opacity=\"0.25\" "
+             "stroke=\"{3}\" stroke-width=\"0.1\"><title>tree {4}: {5:.1f} m high, crown {2:.1f} m in radius"
+             "</title></circle>\n",
+             x, y, tree.crown_radius_m, kTree, tree.id, tree.height_m) +
+         fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" {}/>\n", x, y, kTreeDot,
+                     tree.trunk_seen ? fmt::format("fill=\"{}\"", kTrunk)
+                                     : fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"0.1\"", kTrunk));
+}
+
 std::map<PointLabel, std::size_t> counts_of(const StreetPlan& plan) {
   std::map<PointLabel, std::size_t> counts;
   for (const StreetObject& o : plan.objects) ++counts[o.label];
@@ -94,6 +123,8 @@ std::string street_map_svg(const StreetPlan& plan, double metres_per_unit) {
   for (const FacadePart& gap : plan.gaps)
     svg += line(sheet, gap, "stroke=\"#d8a48f\" stroke-width=\"0.4\" stroke-dasharray=\"1 1\"",
                 fmt::format("gap {}.{}: {:.1f} m", gap.stretch, gap.number, gap.length_m));
+  for (const StreetKerb& kerb : plan.kerbs) svg += kerb_line(sheet, kerb);
+  for (const StreetTree& tree : plan.trees) svg += tree_symbol(sheet, tree);
   for (const StreetObject& o : plan.objects) svg += symbol(sheet, o, metres_per_unit);
   svg +=
       fmt::format("<path d=\"M2 {0:.2f}h{1}\" stroke=\"#333\" stroke-width=\"0.4\"/>\n", sheet.height() - 2, kScaleBar);
@@ -105,10 +136,17 @@ std::string street_legend_html(const StreetPlan& plan) {
   for (const auto& [label, count] : counts_of(plan))
     html += fmt::format("<tr><td><i class=\"swatch\" style=\"background:{}\"></i>{}</td><td class=\"n\">{}</td></tr>\n",
                         colour_of(label), name_of(label), count);
-  return html + fmt::format(
-                    "</tbody></table>\n<p class=\"note\">{} blocks (grey) and {} gaps between them (dashed); the "
-                    "bar is {:.0f} m long. North is up.</p>\n",
-                    plan.blocks.size(), plan.gaps.size(), kScaleBar);
+  const auto row = [](const char* colour, const char* name, std::size_t count) {
+    return fmt::format("<tr><td><i class=\"swatch\" style=\"background:{}\"></i>{}</td><td class=\"n\">{}</td></tr>\n",
+                       colour, name, count);
+  };
+  html += row(kTree, "tree", plan.trees.size()) + row(kKerb, "kerb", plan.kerbs.size());
+  return html +
+         fmt::format(
+             "</tbody></table>\n<p class=\"note\">{} blocks (grey) and {} gaps between them (dashed). Circles are "
+             "crowns; the dot is the trunk, hollow where no trunk was seen. Dashed kerbs were not seen. The bar is "
+             "{:.0f} m long. North is up.</p>\n",
+             plan.blocks.size(), plan.gaps.size(), kScaleBar);
 }
 
 void write_street_map(const std::filesystem::path& folder, const StreetPlan& plan, double metres_per_unit) {

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/deliverables/layers/kerbs_gpkg.h"
 #include "engine/deliverables/layers/street_map.h"
 #include "engine/deliverables/layers/streets_gpkg.h"
+#include "engine/deliverables/layers/trees_gpkg.h"
 #include "engine/model/point_label.h"
 #include "engine/products/streets/ground/cut_height.h"
 #include "engine/products/streets/ground/street_mask.h"
@@ -15,9 +17,11 @@
 #include "engine/products/streets/ground/tiled_artefacts.h"
 #include "engine/products/streets/ground/tiled_ground.h"
 #include "engine/products/streets/objects/object_selection.h"
+#include "engine/products/streets/street_kerbs.h"
 #include "engine/products/streets/street_labels.h"
 #include "engine/products/streets/street_rasters.h"
 #include "engine/products/streets/street_training.h"
+#include "engine/products/streets/street_trees.h"
 #include "engine/products/streets/stretch_index.h"
 #include "engine/whole_file.h"
 
@@ -149,6 +153,21 @@ std::vector<CandidateClass> classes_without_trunks(const FoundStreet& street, st
   return classes;
 }
 
+// Labels the points and finds what is made of labelled points. Points around the wanted area have a part in this, and
+// lose their labels afterwards.
+void add_layers(const Store& store, const FoundStreet& street, const ObjectLabels& labels, double least_height,
+                const PassContext& context, StreetPlan& plan) {
+  const StreetTiles& tiles = *street.tiles;
+  PassContext all = context;
+  all.wanted = {};
+  if (context.wanted) all.advance = [](std::uint64_t) {};
+  write_street_labels(store, tiles, labels, least_height, all);
+  plan.trees = find_street_trees(store, tiles, street.view, context);
+  // From the air too few points are on both sides of a step (docs/streets.md).
+  if (street.view == StreetView::street) plan.kerbs = find_street_kerbs(store, tiles, street.density, context);
+  if (context.wanted) write_street_labels(store, tiles, labels, least_height, context);
+}
+
 }  // namespace
 
 StreetPixel street_pixel(const Store& store, const StreetsSettings& settings, const PassContext& context) {
@@ -232,12 +251,15 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
     labels.label.push_back(is_street_object(label) && object_of_candidate[candidate] == 0 ? PointLabel::none : label);
   }
   add_parts(street, plan);
-  write_street_labels(store, *street.tiles, labels, settings.streets.least_height, context);
+  add_layers(store, street, labels, settings.streets.least_height, context, plan);
   write_objects_gpkg(out.folder / "objects.gpkg", plan, crs);
   write_blocks_gpkg(out.folder / "blocks.gpkg", plan, crs);
+  write_kerbs_gpkg(out.folder / "kerbs.gpkg", plan, crs);
+  write_trees_gpkg(out.folder / "trees.gpkg", plan, crs);
   write_street_rasters(*street.tiles, out.folder, crs);
   write_street_map(out.folder, plan, context.metres_per_unit);
-  out.record.streets = StreetCounts{plan.objects.size(), plan.blocks.size(), plan.gaps.size()};
+  out.record.streets =
+      StreetCounts{plan.objects.size(), plan.blocks.size(), plan.gaps.size(), plan.trees.size(), plan.kerbs.size()};
   out.progress.end_stage();
 }
 

@@ -2,8 +2,10 @@
 // What writers of the engine write, the public readers read.
 #include <gtest/gtest.h>
 
+#include "engine/deliverables/layers/kerbs_gpkg.h"
 #include "engine/deliverables/layers/planes_gpkg.h"
 #include "engine/deliverables/layers/streets_gpkg.h"
+#include "engine/deliverables/layers/trees_gpkg.h"
 #include "engine/deliverables/solids/city_json.h"
 #include "engine/deliverables/tables/facade_json.h"
 #include "engine/deliverables/tables/planes_csv.h"
@@ -127,6 +129,13 @@ TEST(PublicResults, Streets) {
   plan.gaps = {{1, 2, {10, 0, 0}, {12, 0, 0}, 2, 0}};
   write_objects_gpkg(folder.path() / "streets/objects.gpkg", plan, {});
   write_blocks_gpkg(folder.path() / "streets/blocks.gpkg", plan, {});
+  EXPECT_TRUE(read_streets(folder.path()).trees.empty()) << "a run of an earlier version";
+  plan.trees = {{1, {652003, 6862004, 31}, true, 8.5, 2.25, 3, 0.15, 0.25, 700},
+                {2, {652013, 6862004, 31}, false, 5, 1, 2}};
+  plan.kerbs = {{1, true, {{0, 0, 1}, {5, 0, 1.5}, {9, 1, 2}}, {0.1, 0.12, 0.14}, 0.12, 9.2},
+                {2, false, {{9, 1, 2}, {12, 2, 2}}, {0.14, 0.12}, 0.13, 3.2}};
+  write_trees_gpkg(folder.path() / "streets/trees.gpkg", plan, {});
+  write_kerbs_gpkg(folder.path() / "streets/kerbs.gpkg", plan, {});
   const StreetPlan back = read_streets(folder.path());
   ASSERT_EQ(back.objects.size(), 1u);
   EXPECT_EQ(back.objects[0].label, PointLabel::car);
@@ -138,6 +147,19 @@ TEST(PublicResults, Streets) {
   ASSERT_EQ(back.blocks.size(), 1u);
   EXPECT_EQ(back.blocks[0].to.x, 10);
   EXPECT_EQ(back.gaps[0].number, 2u);
+  ASSERT_EQ(back.trees.size(), 2u);
+  EXPECT_TRUE(back.trees[0].trunk_seen);
+  EXPECT_FALSE(back.trees[1].trunk_seen);
+  EXPECT_EQ(back.trees[0].position.z, 31);
+  EXPECT_EQ(back.trees[0].height_m, 8.5);
+  EXPECT_EQ(back.trees[0].crown_radius_m, 2.25);
+  EXPECT_EQ(back.trees[0].trunk_radius_m, 0.15);
+  EXPECT_EQ(back.trees[0].unseen_share, 0.25);
+  EXPECT_EQ(back.trees[0].points, 700u);
+  ASSERT_EQ(back.kerbs.size(), 2u);
+  EXPECT_EQ(back.kerbs[0].line[1].z, 1.5);
+  EXPECT_EQ(back.kerbs[0].heights_m, (std::vector<double>{0.1, 0.12, 0.14}));
+  EXPECT_FALSE(back.kerbs[1].seen);
 }
 
 TEST(PublicResults, MissingOnesAreFaultsOfUse) {

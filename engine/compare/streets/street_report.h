@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Trees and kerbs in the reports of an evaluation.
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "engine/compare/streets/kerb_errors.h"
+#include "engine/compare/streets/tree_errors.h"
+
+namespace ilot {
+
+std::string trees_text(const TreeResult& trees);
+std::string kerbs_text(const KerbResult& kerbs);
+nlohmann::ordered_json trees_json(const TreeResult& trees);
+nlohmann::ordered_json kerbs_json(const KerbResult& kerbs);
+
+}  // namespace ilot
