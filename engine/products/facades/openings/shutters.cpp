@@ -42,6 +42,13 @@ double rise_of(const FoundRectangle& o) {
   return radius - std::sqrt(std::max(0.0, radius * radius - half * half));
 }
 
+// Lays the arc of an opening over its jambs.
+void set_arch(FoundRectangle& o, double spring, double rise) {
+  const double half = o.box().width() / 2, radius = (rise * rise + half * half) / (2 * rise);
+  o.arc->centre = {(o.at(Side::left) + o.at(Side::right)) / 2, spring + rise - radius};
+  o.arc->radius = radius;
+}
+
 // The part of an opening that leaves can close: they end where an arch begins.
 Box2 jambs_of(const FoundRectangle& o) {
   Box2 box = o.box();
@@ -174,12 +181,11 @@ FoundRectangle window_behind(const FlatPlate& plate, const FoundRectangle* like,
     edge.inner = was;
   };
   complete(Side::bottom, q.v0), complete(Side::top, q.v1);
-  const double rise = rise_of(*like), half = window.box().width() / 2;
+  const double rise = rise_of(*like), spring = window.at(Side::top);
   if (rise <= alike) return window;
-  const double spring = window.at(Side::top), radius = (rise * rise + half * half) / (2 * rise);
   window.arc = like->arc;
-  window.arc->centre = {(window.at(Side::left) + window.at(Side::right)) / 2, spring + rise - radius};
-  window.arc->radius = radius, window.arc->error += alike;
+  window.arc->error += alike;
+  set_arch(window, spring, rise);
   LocatedEdge& crown = window.side(Side::top);
   crown = {spring + rise, like->error(Side::top) + kHingeError + alike, DrawnStatus::completed};
   crown.inner = spring;
@@ -195,6 +201,7 @@ void extend_below(const FlatPlate& plate, FoundRectangle& o) {
     o.side(side) = plate.shape.side(side);
     o.side(side).error += kHingeError;
   }
+  if (o.arc) set_arch(o, plate.shape.at(Side::top), o.at(Side::top) - plate.shape.at(Side::top));
 }
 
 // The closed plates, and the opening or the closed plate that each is like.
@@ -249,7 +256,7 @@ ClosedPlates closed_plates(const std::vector<FlatPlate>& plates, const std::vect
 // Sides of an opening that leaves hide in part are those of the leaves.
 void widen(const FlatPlate& plate, FoundRectangle& o) {
   for (const Side side : kSides) {
-    if (!plate.ends_at(side) || (side == Side::top && o.arc)) continue;
+    if (!plate.ends_at(side) || (side != Side::bottom && o.arc)) continue;
     if (outwards(side) * (plate.shape.at(side) - o.at(side)) <= o.error(side)) continue;
     o.side(side) = plate.shape.side(side);
     o.side(side).error += kHingeError;
