@@ -14,14 +14,18 @@ Needs numpy.
 
 Each line of the table of causes begins with two numbers: all true openings, and those that at least 50 rays met or went
 through (--least-rays). These are the points on and behind its area; where the wall about the opening shows that more rays
-came this way than ended there or before it, these count as rays without an echo."""
+came this way than ended there or before it, these count as rays without an echo.
+
+The last table counts the windows with shutters by the state of their leaves (closed: before the wall; inset: closed within the
+reveal; open; half): all, those with so many rays, those found, those of which leaves are drawn, and those with both. Leaves are
+drawn where elements of the kind shutter cover half of their area, or stand at the hinge of a half open one. What is drawn as a
+shutter where no leaf is comes below it."""
 import argparse
 import collections
 import concurrent.futures
 import csv
 import hashlib
 import json
-import math
 import pathlib
 import struct
 import subprocess
@@ -29,60 +33,10 @@ import subprocess
 import numpy
 
 import facade_failures
+from wall_frame import Frame, area, common, dot, iou
+from window_leaves import are_drawn, leaves_of, shutter_cause
 
 NEAR = 0.3  # metres between the plane of an opening and what may be drawn of it
-
-
-def minus(a, b):
-    return [x - y for x, y in zip(a, b)]
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-
-
-def unit(a):
-    length = math.sqrt(dot(a, a))
-    return [x / length for x in a]
-
-
-class Frame:
-    """The axes of a wall: right, up, out of it towards the stations."""
-
-    def __init__(self, ring, stations):
-        total = [0, 0, 0]
-        for a, b in zip(ring[1:], ring[2:]):
-            total = [t + c for t, c in zip(total, cross(minus(a, ring[0]), minus(b, ring[0])))]
-        self.origin, self.out = ring[0], unit(total)
-        if sum(dot(minus(s, ring[0]), self.out) > 0 for s in stations) * 2 < len(stations):
-            self.out = [-x for x in self.out]
-        self.right = unit(cross([0, 0, 1], self.out))
-        self.up = cross(self.out, self.right)
-
-    def flat(self, p):
-        d = minus(p, self.origin)
-        return dot(d, self.right), dot(d, self.up), dot(d, self.out)
-
-    def box(self, ring):
-        flat = [self.flat(p) for p in ring]
-        return tuple(f(p[k] for p in flat) for k in (0, 1, 2) for f in (min, max))
-
-
-def area(b):
-    return max(0, b[1] - b[0]) * max(0, b[3] - b[2])
-
-
-def common(a, b):
-    return area((max(a[0], b[0]), min(a[1], b[1]), max(a[2], b[2]), min(a[3], b[3])))
-
-
-def iou(a, b):
-    both = common(a, b)
-    return both / (area(a) + area(b) - both) if both else 0
 
 
 def points_of(path):
@@ -207,8 +161,7 @@ def tags_of(frame, box, opening, truth, rays):
     tags = []
     if len(opening["ring"]) > 4:
         tags.append("arch")
-    number = opening["element"] - 1
-    depth = truth["elements"][number].get("depth_m") if number < len(truth["elements"]) else None
+    depth = next((e.get("depth_m") for e in truth["elements"] if e["id"] == opening["element"]), None)
     if depth is not None and abs(depth) < 0.06:
         tags.append("flush")
     if rays["near"] + rays["behind"] < 0.3 * rays["expected"]:
@@ -266,6 +219,10 @@ def losses_of(truth, facades, cloud):
     for t, (frame, box, o) in enumerate(zip(frames, boxes, truth["openings"])):
         rays = rays_of(frame, box, points, eyes)
         reached = rays["reached"]
+        state, leaves = leaves_of(frame, box, o, truth)
+        if state:
+            rows.append(dict(what="leaves", opening=o["id"], facade=o["facade"], cause="found" if t in taken else "lost",
+                             detail=state, tags="drawn" if are_drawn(frame, leaves, state, facades) else "", rays=reached))
         if t in taken:
             rows.append(dict(what="true", opening=o["id"], facade=o["facade"], cause="found", detail=drawn[taken[t]][0], tags="",
                              rays=reached))
@@ -273,6 +230,11 @@ def losses_of(truth, facades, cloud):
         cause, detail = cause_of_loss(frame, box, facades, rays)
         rows.append(dict(what="true", opening=o["id"], facade=o["facade"], cause=cause, detail=detail + " " + " ".join(
             f"{k} {v:.0f}" for k, v in rays.items()), tags=" ".join(tags_of(frame, box, o, truth, rays)), rays=reached))
+    for f in facades:
+        for e in f["elements"]:
+            if e["kind"] == "shutter":
+                rows.append(dict(what="shutter", opening=e["id"], facade=f["name"], cause=shutter_cause(e, frames, boxes, truth),
+                                 detail=e["reason"], tags=f"{e['width_m']:.2f} x {e['height_m']:.2f} x {e['depth_m']:.2f}", rays=0))
     for d, (name, e) in enumerate(drawn):
         if d in used:
             continue
@@ -320,12 +282,22 @@ def main():
     first, _, last = given.seeds.partition("-")
     given.folder.mkdir(parents=True, exist_ok=True)
     lost, vain, tags = collections.Counter(), collections.Counter(), collections.defaultdict(collections.Counter)
-    reached = collections.Counter()
+    shutters = collections.Counter()
+    reached, states = collections.Counter(), collections.defaultdict(lambda: numpy.zeros(5, int))
     with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
         for seed, rows, folder in pool.map(lambda seed: judge(given, seed), range(int(first), int(last or first) + 1)):
             if rows is None:
                 print(f"seed {seed}: the run failed")
                 continue
+            for r in (r for r in rows if r["what"] == "leaves"):
+                found, drawn = r["cause"] == "found", r["tags"] == "drawn"
+                states[r["detail"]] += numpy.array([1, r["rays"] >= given.least_rays, found, drawn, found and drawn])
+            shutters.update((r["cause"], r["detail"]) for r in rows if r["what"] == "shutter")
+            if given.list:
+                for r in rows:
+                    if r["what"] == "shutter" and r["cause"] != "a leaf":
+                        print("   ", seed, *r.values())
+            rows = [r for r in rows if r["what"] not in ("leaves", "shutter")]
             true = [r for r in rows if r["what"] == "true"]
             found, sheets = sum(r["cause"] == "found" for r in true), collections.defaultdict(set)
             for r in true:
@@ -348,6 +320,14 @@ def main():
         for cause, n in counts.most_common():
             rays = f" {reached[cause]:4d}" if counts is lost else ""
             print(f"  {n:4d}{rays}  {cause}  {', '.join(f'{k} {v}' for k, v in tags[cause].most_common(6))}")
+    if states:
+        print("windows with leaves: all, with rays, found, leaves drawn, both")
+        for state, counts in sorted(states.items()) + [("all", sum(states.values()))]:
+            print(f"  {state:7s}", *(f"{n:4d}" for n in counts))
+    if shutters:
+        print("drawn as shutters")
+        for (cause, detail), n in sorted(shutters.items()):
+            print(f"  {n:4d}  {cause}: {detail}")
 
 
 if __name__ == "__main__":

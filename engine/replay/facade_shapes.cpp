@@ -4,8 +4,8 @@
 namespace ilot {
 
 const char* name_of(ElementKind kind) {
-  constexpr const char* kNames[] = {"window", "door",  "sill",    "lintel",     "balcony", "band",
-                                    "bulge",  "stone", "bracket", "protrusion", "recess",  "eaves"};
+  constexpr const char* kNames[] = {"window", "door",    "sill",    "lintel",     "balcony", "band", "bulge",
+                                    "stone",  "bracket", "shutter", "protrusion", "recess",  "eaves"};
   return kNames[static_cast<int>(kind)];
 }
 

@@ -122,6 +122,8 @@ std::vector<FacadeSolid> facade_solids(const Facade& facade, double metres_per_u
     if (e.status == DrawnStatus::occluded || std::abs(e.depth_m) < kLeastDepth || e.kind == "outline" ||
         e.kind == "dormer")
       continue;
+    // The body of a leaf within the reveal, or half open, is not known: its thickness was not seen.
+    if (e.kind == "shutter" && (e.depth_m < 0 || e.reason == "half open")) continue;
     if (e.region == FacadeRegion::irregularity && !e.body.vertices.empty()) continue;
     if (e.body.closed && is_on_earth(facade) && is_sound(e.body)) {
       solids.push_back({e.id, e.kind, e.body.vertices, e.body.faces});

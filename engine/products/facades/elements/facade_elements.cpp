@@ -13,8 +13,8 @@
 namespace ilot {
 namespace {
 
-constexpr std::array<const char*, 12> kNames{"window", "door",  "sill",    "lintel",     "balcony", "band",
-                                             "bulge",  "stone", "bracket", "protrusion", "recess",  "eaves"};
+constexpr std::array<const char*, 13> kNames{"window", "door",    "sill",    "lintel",     "balcony", "band", "bulge",
+                                             "stone",  "bracket", "shutter", "protrusion", "recess",  "eaves"};
 
 Vec3 place_of(const FacadeSite& site, double u, double v, double w) {
   const double units = 1 / site.metres_per_unit;

@@ -10,6 +10,10 @@
 #include "engine/products/facades/elements/element_kinds.h"
 #include "engine/products/facades/elements/facade_elements.h"
 #include "engine/products/facades/elements/slices.h"
+#include "engine/products/facades/openings/flat_plates.h"
+#include "engine/products/facades/openings/inset_leaves.h"
+#include "engine/products/facades/openings/shutters.h"
+#include "engine/products/facades/openings/standing_leaves.h"
 #include "engine/products/facades/rays/cell_bands.h"
 #include "engine/products/facades/rays/limited_parallel.h"
 #include "engine/products/facades/walls/side_faces.h"
@@ -132,12 +136,50 @@ void add_large_relief(std::vector<ElementCandidate>& candidates, const std::vect
   }
 }
 
+const char* name_of_leaf(LeafState state) {
+  constexpr std::array kStates{"open", "half open", "closed", "blind"};
+  return kStates[static_cast<std::size_t>(state)];
+}
+
+// Drops the relief that leaves are. What was joined over several leaves goes too, because its points are theirs.
+void drop_leaves(const std::vector<ShutterLeaf>& leaves, std::vector<FoundRectangle>& relief) {
+  std::erase_if(relief, [&](const FoundRectangle& r) {
+    const Box2 box = r.box();
+    double common = 0;
+    for (const ShutterLeaf& leaf : leaves) common += common_area(box, leaf.shape.box());
+    return common >= kMostOf * r.fill * box.width() * box.height();
+  });
+}
+
+// The leaves of shutters. Openings that they hide wholly or in part are added or widened.
+std::vector<ShutterLeaf> leaves_of(const RaySamples& samples, const std::vector<FlatPlate>& plates,
+                                   const std::vector<StandingLeaf>& standing, const FacadeParams& params,
+                                   std::vector<FoundRectangle>& openings) {
+  const double alike = params.regular.alike;
+  const HalfOpen half = windows_of_leaves(samples, standing, alike, openings);
+  std::vector<ShutterLeaf> leaves;
+  const std::vector<std::optional<ClosedPart>> parts = closed_parts(samples, openings);
+  for (std::size_t i = 0; i < openings.size(); ++i)
+    if (parts[i] && kind_of_opening(openings[i], openings, params.kinds) == ElementKind::window)
+      leaves.push_back({parts[i]->sheet, parts[i]->from_bottom ? LeafState::closed : LeafState::blind});
+  openings.insert(openings.end(), half.windows.begin(), half.windows.end());
+  for (const ShutterLeaf& leaf : find_shutters(plates, alike, wall_grid(samples.site()).cell, openings))
+    leaves.push_back(leaf);
+  for (const FoundRectangle& leaf : half.leaves) leaves.push_back({leaf, LeafState::half});
+  return leaves;
+}
+
 std::vector<ElementCandidate> candidates_of(const RaySamples& samples, const FacadeParams& params,
                                             std::vector<UnseenArea>& unseen, FacadeSteps* steps) {
   std::vector<FoundRectangle> openings, relief, stones, large;
-  const std::array<std::function<void()>, 4> searches{
-      [&] { large = find_large_relief(samples, params.large); }, [&] { relief = find_relief(samples, params.relief); },
+  std::vector<FlatPlate> plates;
+  std::vector<StandingLeaf> standing;
+  const std::array<std::function<void()>, 6> searches{
+      [&] { large = find_large_relief(samples, params.large); },
+      [&] { relief = find_relief(samples, params.relief); },
       [&] { stones = find_stones(samples, params.stones); },
+      [&] { plates = find_flat_plates(samples); },
+      [&] { standing = find_standing_leaves(samples); },
       [&] { openings = find_openings(samples, params.openings, steps == nullptr ? nullptr : &steps->cells, &unseen); }};
   parallel_for_limited(params.concurrency, searches.size(), [&](std::size_t i) { searches[i](); });
   if (steps != nullptr) {
@@ -147,9 +189,13 @@ std::vector<ElementCandidate> candidates_of(const RaySamples& samples, const Fac
     steps->large = large;
   }
   drop_pierced_stones(openings, stones);
+  const std::vector<ShutterLeaf> leaves = leaves_of(samples, plates, standing, params, openings);
+  drop_leaves(leaves, relief);
   std::vector<ElementCandidate> candidates;
   for (const FoundRectangle& o : openings)
     candidates.push_back({o, kind_of_opening(o, openings, params.kinds), 0, 0, 0, {}});
+  for (const ShutterLeaf& leaf : leaves)
+    candidates.push_back({leaf.shape, ElementKind::shutter, 0, 0, 0, name_of_leaf(leaf.state)});
   for (const FoundRectangle& r : relief)
     candidates.push_back({r, kind_of_relief(r, openings, samples.site().width, params.kinds), 0, 0, 0, {}});
   for (const FoundRectangle& s : stones) candidates.push_back({s, ElementKind::stone, 0, 0, 0, {}});

@@ -20,6 +20,7 @@ enum class ElementKind : std::uint8_t {
   bulge,
   stone,
   bracket,
+  shutter,     // leaves before the wall
   protrusion,  // bays, oriels
   recess,      // niches, cut corners
   eaves,       // stands out above the top of the wall

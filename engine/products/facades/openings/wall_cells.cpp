@@ -82,13 +82,17 @@ RegionEnds ends_of(const CellRegion& region, std::int64_t columns) {
 
 }  // namespace
 
-WallCells cells_of(const RaySamples& samples, const WallCellParams& params) {
-  const FacadeSite& site = samples.site();
+WallCells wall_grid(const FacadeSite& site) {
   WallCells cells;
   cells.cell = cell_for(site.width, site.height, std::clamp(kCellSteps * site.step, kLeastCell, kMostCell));
   cells.columns = static_cast<std::int64_t>(site.width / cells.cell) + 1;
   cells.rows = static_cast<std::int64_t>(site.height / cells.cell) + 1;
   cells.what.assign(static_cast<std::size_t>(cells.columns * cells.rows), kUnknown);
+  return cells;
+}
+
+WallCells cells_of(const RaySamples& samples, const WallCellParams& params) {
+  WallCells cells = wall_grid(samples.site());
   for (const RowBand& band : bands_of(cells.columns, cells.rows))
     count_rows(samples, params, band.first, band.end, cells);
   return cells;

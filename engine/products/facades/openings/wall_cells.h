@@ -40,7 +40,10 @@ struct WallCellParams {
   double farthest = 4;        // rays that end farther behind the wall are not used
 };
 
-// Counts the rays of each cell. Cells are two steps wide, from 2 to 15 cm. O(points).
+// The cells of a wall, two steps wide, from 2 to 15 cm; nothing is known of them.
+WallCells wall_grid(const FacadeSite& site);
+
+// Counts the rays of each cell of the grid. O(points).
 WallCells cells_of(const RaySamples& samples, const WallCellParams& params);
 
 // Fills runs of cells in which nothing was seen, or only something before the wall, if they are between two cells

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/facades/openings/flat_plates.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "engine/products/facades/openings/trend_surface.h"
+#include "engine/products/facades/rays/cell_bands.h"
+#include "kernels/core/quantile.h"
+
+namespace ilot {
+namespace {
+
+// Derived: as kLeastStep and kStepOfNoise in shallow_openings.cpp, to the other side of the wall.
+constexpr double kLeastPlateRise = 0.012;  // metres between the wall and a plate
+// Derived: at the middle between both, a point in fifteen is on the wrong side.
+constexpr double kRiseOfNoise = 3;  // times the scatter of the wall
+// Choice: half of a narrow window; narrower leaves are not told from surrounds and pipes.
+constexpr double kNarrowestPlate = 0.2;  // metres
+// Choice: as kSamePlane in relief.cpp: louvres and panels of a leaf are less deep.
+constexpr double kOnePlate = 0.01;  // metres between neighbouring cells of one plate
+// Derived: a majority; what stands before a leaf may hide the ends of the others.
+constexpr double kStraightPlate = 0.5;  // share of rows and columns that end at a straight side
+// Choice: leaves are rectangles, but a corner may be hidden.
+constexpr double kPlateFill = 0.75;  // share of its box
+// Choice: as kStrayWall in shallow_openings.cpp.
+constexpr double kStrayHole = 0.15;  // share of the cells of a square in which there may be something else
+// Choice: the width of a narrow pier.
+constexpr double kAboutPlate = 0.3;            // metres about a plate that are looked at for its sides and the wall
+constexpr std::uint64_t kMostAbout = 1 << 16;  // points of that; more do not improve the result
+constexpr double kFaceOfPlate = 0.01;          // Derived: kLeastFace in relief.cpp
+
+using enum WallCells::What;
+
+// The wall in cells, with the mean distance from the form of what lies before it.
+struct ReliefCells {
+  WallCells cells;
+  std::vector<float> out;
+};
+
+void mark_relief(const RaySamples& samples, const TrendSurface& form, double rise, std::int64_t r0, std::int64_t r1,
+                 ReliefCells& relief) {
+  WallCells& cells = relief.cells;
+  const auto size = static_cast<std::size_t>((r1 - r0) * cells.columns);
+  std::vector<std::int32_t> before(size, 0), wall(size, 0), behind(size, 0);
+  std::vector<double> sum(size, 0);
+  const Box2 rows{0, static_cast<double>(cells.columns) * cells.cell, static_cast<double>(r0) * cells.cell,
+                  static_cast<double>(r1) * cells.cell};
+  for (const Ray& ray : samples.near(rows.grown(cells.cell + 2 * kFlatRelief))) {
+    const double off = static_cast<double>(ray.at.w) - form.at(ray.at.u, ray.at.v);
+    if (off > kFlatRelief) continue;
+    const Place2 p = off > -rise / 2 ? Place2{ray.at.u, ray.at.v} : samples.crossing(ray, 0);
+    if (p.u < 0 || p.v < 0) continue;
+    const auto c = static_cast<std::int64_t>(p.u / cells.cell), r = static_cast<std::int64_t>(p.v / cells.cell);
+    if (c >= cells.columns || r < r0 || r >= r1) continue;
+    const auto i = static_cast<std::size_t>((r - r0) * cells.columns + c);
+    if (off > rise / 2)
+      ++before[i], sum[i] += off;
+    else
+      ++(off < -rise / 2 ? behind : wall)[i];
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::size_t at = static_cast<std::size_t>(r0 * cells.columns) + i;
+    const bool plate = before[i] > wall[i] + behind[i];
+    cells.what[at] = plate ? kRelief : behind[i] > wall[i] ? kThrough : wall[i] > 0 ? kSolid : kUnknown;
+    relief.out[at] = plate ? static_cast<float>(sum[i] / before[i]) : 0;
+  }
+}
+
+// A cell without points is on a plate where five of its neighbours are.
+ReliefCells without_gaps_in(const ReliefCells& relief) {
+  ReliefCells out = relief;
+  const WallCells& cells = relief.cells;
+  for (std::int64_t r = 1; r + 1 < cells.rows; ++r)
+    for (std::int64_t c = 1; c + 1 < cells.columns; ++c) {
+      if (cells.at(c, r) != kUnknown) continue;
+      int count = 0;
+      float sum = 0;
+      for (std::int64_t k = 0; k < 9; ++k) {
+        const auto i = static_cast<std::size_t>((r - 1 + k / 3) * cells.columns + c - 1 + k % 3);
+        if (cells.what[i] == kRelief) ++count, sum += relief.out[i];
+      }
+      if (count < 5) continue;
+      out.cells.at(c, r) = kRelief;
+      out.out[static_cast<std::size_t>(r * cells.columns + c)] = sum / static_cast<float>(count);
+    }
+  return out;
+}
+
+// The connected sets of cells whose depths continue from cell to cell.
+std::vector<CellRegion> plates_of(const ReliefCells& relief, const std::vector<bool>& wanted, double apart) {
+  const std::int64_t columns = relief.cells.columns, rows = relief.cells.rows;
+  std::vector<bool> taken(wanted.size(), false);
+  std::vector<CellRegion> regions;
+  for (std::size_t start = 0; start < wanted.size(); ++start) {
+    if (taken[start] || !wanted[start]) continue;
+    CellRegion& region = regions.emplace_back();
+    region.cells = {static_cast<std::uint32_t>(start)};
+    taken[start] = true;
+    for (std::size_t k = 0; k < region.cells.size(); ++k) {
+      const std::uint32_t i = region.cells[k];
+      const std::int64_t c = i % columns, r = i / columns;
+      for (const auto& [nc, nr] :
+           {std::pair{c - 1, r}, std::pair{c + 1, r}, std::pair{c, r - 1}, std::pair{c, r + 1}}) {
+        if (nc < 0 || nr < 0 || nc >= columns || nr >= rows) continue;
+        const auto n = static_cast<std::size_t>(nr * columns + nc);
+        if (taken[n] || !wanted[n] || std::abs(relief.out[n] - relief.out[i]) > static_cast<float>(apart)) continue;
+        taken[n] = true;
+        region.cells.push_back(static_cast<std::uint32_t>(n));
+      }
+    }
+  }
+  return regions;
+}
+
+// The share of the columns of a region whose highest cell is within one cell of the top of its box.
+double straight_at_top(const CellRegion& region, const CellBox& box, std::int64_t columns) {
+  std::vector<std::int64_t> high(static_cast<std::size_t>(columns), -1);
+  for (const std::int64_t i : region.cells) {
+    std::int64_t& top = high[static_cast<std::size_t>(i % columns)];
+    top = std::max(top, i / columns);
+  }
+  double found = 0, all = 0;
+  for (const std::int64_t top : high) all += top >= 0, found += std::abs(top - box.r1) <= 1;
+  return found / all;
+}
+
+// The share of the lines across a side that meet the wall beyond it.
+double wall_beyond(const WallCells& cells, const CellBox& b, Side side) {
+  const bool u = along_u(side);
+  const auto reach = static_cast<std::int64_t>(kAboutPlate / cells.cell) + 1;
+  double found = 0, lines = 0;
+  for (std::int64_t i = u ? b.r0 : b.c0; i <= (u ? b.r1 : b.c1); ++i, ++lines)
+    for (std::int64_t k = 1; k <= reach; ++k) {
+      const std::int64_t c = side == Side::left ? b.c0 - k : side == Side::right ? b.c1 + k : i;
+      const std::int64_t r = side == Side::bottom ? b.r0 - k : side == Side::top ? b.r1 + k : i;
+      if (c < 0 || r < 0 || c >= cells.columns || r >= cells.rows || cells.at(c, r) == kThrough) break;
+      if (cells.at(c, r) != kSolid) continue;
+      ++found;
+      break;
+    }
+  return found / lines;
+}
+
+// The points about a plate as a wall with one plane before it, levelled.
+FacadeSite site_about_plate(const RaySamples& samples, const Box2& box, double level, double out) {
+  constexpr std::uint32_t kWallId = 1, kPlateId = 2;
+  const FacadeSite& whole = samples.site();
+  FacadeSite site;
+  site.axes = whole.axes;
+  site.width = whole.width, site.height = whole.height;
+  site.epsilon = std::min(out / 2, std::max(whole.epsilon, kOnePlate)), site.noise = whole.noise,
+  site.step = whole.step;
+  site.wall = {kWallId};
+  site.parallel = {{kPlateId, 1}};
+  for (FacadeStation s : whole.stations) {
+    s.position.z -= level;
+    site.stations.push_back(s);
+  }
+  const Box2 around = box.grown(kAboutPlate);
+  Rays near = samples.near(around);
+  const auto counts = [&](const Ray& ray) { return around.contains(samples.crossing(ray, 0)); };
+  const int thinned = thinning_level(near, kMostAbout, counts);
+  for (const Ray& ray : near) {
+    if (!counts(ray) || !is_kept(ray, thinned)) continue;
+    FacadePoint p = ray.at;
+    p.w -= static_cast<float>(level);
+    const double w = p.w;
+    p.plane = std::abs(w - out) <= site.epsilon ? kPlateId : std::abs(w) <= out / 2 ? kWallId : 0;
+    site.points.push_back(p);
+    if (samples.oblique()) site.from.push_back(static_cast<SiteStation>(ray.station + 1));
+  }
+  return site;
+}
+
+// A plate with its sides.
+FoundRectangle located_plate(const RaySamples& samples, const TrendSurface& form, const Box2& box, double out,
+                             double cell) {
+  const double level = form.at((box.u0 + box.u1) / 2, (box.v0 + box.v1) / 2);
+  const FacadeSite site = site_about_plate(samples, box, level, out);
+  const RaySamples about(site);
+  const std::array<std::uint32_t, 1> ids{2};
+  const double reach = std::max(2 * cell, std::min(0.12, std::min(box.width(), box.height()) / 2));
+  const SideSearch search{
+      box,   out, site.epsilon, false, std::min(kFaceOfPlate, out / 3), out - std::min(kFaceOfPlate, out / 3),
+      reach, ids};
+  FoundRectangle plate;
+  for (const Side side : kSides) plate.side(side) = locate_edge(about, search, side);
+  std::vector<double> depths;
+  for (const FacadePoint& p : site.points)
+    if (p.plane == ids[0] && box.contains({p.u, p.v})) depths.push_back(p.w);
+  if (!depths.empty()) out = upper_median(depths);
+  plate.points = depths.size();
+  plate.depth = out + level;
+  plate.depth_error = samples.site().noise;
+  return plate;
+}
+
+}  // namespace
+
+std::vector<FlatPlate> find_flat_plates(const RaySamples& samples) {
+  const WallCells cells = wall_grid(samples.site());
+  const TrendSurface form = trend_surface(samples);
+  const double rise = std::max(kLeastPlateRise, kRiseOfNoise * form.noise);
+  if (!form.found || rise > kFlatRelief / 2) return {};
+  ReliefCells relief{cells, std::vector<float>(cells.what.size(), 0)};
+  for (const RowBand& band : bands_of(cells.columns, cells.rows))
+    mark_relief(samples, form, rise, band.first, band.end, relief);
+  relief = without_gaps_in(relief);
+  std::vector<bool> obstacles(cells.what.size());
+  for (std::size_t i = 0; i < obstacles.size(); ++i) obstacles[i] = relief.cells.what[i] != kRelief;
+  const auto side = std::max<std::int64_t>(3, std::llround(kNarrowestPlate / cells.cell));
+  std::vector<FlatPlate> found;
+  for (const CellRegion& region : plates_of(relief, covered_by_squares(relief.cells, obstacles, side, kStrayHole),
+                                            std::max(kOnePlate, form.noise))) {
+    if (static_cast<std::int64_t>(region.cells.size()) < side * side) continue;
+    const CellBox b = box_of(region, cells.columns);
+    const double fill = static_cast<double>(region.cells.size()) / static_cast<double>(b.columns() * b.rows());
+    if (fill < kPlateFill || straight_share(region, b, cells.columns) < kStraightPlate ||
+        straight_at_top(region, b, cells.columns) < kStraightPlate)
+      continue;
+    std::vector<float> outs;
+    for (const std::uint32_t i : region.cells) outs.push_back(relief.out[i]);
+    const Box2 box{static_cast<double>(b.c0) * cells.cell, static_cast<double>(b.c1 + 1) * cells.cell,
+                   static_cast<double>(b.r0) * cells.cell, static_cast<double>(b.r1 + 1) * cells.cell};
+    FlatPlate plate{located_plate(samples, form, box, static_cast<double>(upper_median(outs)), cells.cell), {}};
+    plate.shape.fill = std::min(1.0, fill);
+    if (std::min(plate.shape.box().width(), plate.shape.box().height()) < kNarrowestPlate) continue;
+    for (const Side s : kSides) plate.wall[static_cast<std::size_t>(s)] = wall_beyond(relief.cells, b, s);
+    found.push_back(plate);
+  }
+  return found;
+}
+
+}  // namespace ilot
