@@ -135,7 +135,7 @@ class Outliner {
  private:
   std::int64_t grid(std::int64_t v) const { return std::llround(static_cast<double>(v) * millimetres_); }
 
-  // The outlines of a cluster, split where buildings adjoin.
+  // The outlines of a cluster, split where buildings adjoin. Slivers between crossing walls are left out.
   std::vector<SitePolygon> buildings_of(std::uint32_t cluster, std::int64_t x, std::int64_t y) const {
     const std::vector<Vec3> points = points_of(cluster, x, y);
     std::vector<Point2> places;
@@ -147,7 +147,8 @@ class Outliner {
     const double step = std::sqrt(area / static_cast<double>(points.size()));
     std::vector<SitePolygon> buildings;
     for (const SitePolygon& outline : outlines)
-      for (SitePolygon& part : split_at_party_walls(outline, points, step)) buildings.push_back(std::move(part));
+      for (SitePolygon& part : split_at_party_walls(outline, points, step))
+        if (area_of(part) >= params_.least_area) buildings.push_back(std::move(part));
     return buildings;
   }
 

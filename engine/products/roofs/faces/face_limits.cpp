@@ -11,6 +11,8 @@ namespace {
 
 // Derived: a tip of this length and width would contain nine points or more, so one is seen.
 constexpr double kBareTipSteps = 3;
+// Choice: a storey; roofs of garages and terraces on a hillside lie as much below the ground of a site.
+constexpr double kBelowGround = 3;  // metres
 
 // Returns per cell whether it is too low somewhere on the plane of its label.
 std::vector<std::uint8_t> fallen_cells(const RoofPlanes& planes, const Partition& cells,
@@ -37,7 +39,7 @@ double too_high(const RoofPlane& plane, FlatPoint at, const FaceLimits& limits) 
 }
 
 double too_low(const RoofPlane& plane, FlatPoint at, const FaceLimits& limits) {
-  const double lowest = std::min(plane.lowest - most_overshoot(plane, limits), limits.ground);
+  const double lowest = std::min(plane.lowest - most_overshoot(plane, limits), limits.ground - kBelowGround);
   return lowest - plane.at(at.x, at.y);
 }
 

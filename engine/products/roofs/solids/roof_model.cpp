@@ -93,8 +93,11 @@ LabelledCells labelled_cells(const RoofSite& site, const RoofPlanes& planes, std
   return c;
 }
 
+// On a hillside the ground of a site may be above parts of its roof; then the lowest roof tells how deep faces may lie.
 FaceLimits limits_of(const RoofSite& site, const RoofPlanes& planes, const RoofModelParams& params) {
-  return {planes.step, params.overshoot, site.ground};
+  double ground = site.ground;
+  for (const RoofPlane& plane : planes.planes) ground = std::min(ground, plane.lowest);
+  return {planes.step, params.overshoot, ground};
 }
 
 // Labels the cells. Where a face would fall too low, as where a cloud ends within the outline, the outline is also cut

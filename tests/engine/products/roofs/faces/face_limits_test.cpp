@@ -26,13 +26,13 @@ RoofPlane falling_plane() {
   return plane;
 }
 
-TEST(FaceLimits, AFaceMayFallToTheGroundOrAsFarAsItMayRise) {
+TEST(FaceLimits, AFaceMayFallToAStoreyBelowTheGroundOrAsFarAsItMayRise) {
   const FaceLimits limits{0.3, 0.5, 2};
   EXPECT_NEAR(too_high(falling_plane(), {-2, 0}, limits), 0.5, 1e-12);  // 9 m, may be 8.5
-  EXPECT_NEAR(too_low(falling_plane(), {14, 0}, limits), 1, 1e-12);     // 1 m, and the ground is at 2
-  EXPECT_LE(too_low(falling_plane(), {12, 0}, limits), 1e-12);
-  EXPECT_NEAR(too_low(falling_plane(), {10, 0}, {0.3, 0.5, 6}), 0.5,
-              1e-12);                                                   // 3 m, ground above the points: 3.5 are left
+  EXPECT_NEAR(too_low(falling_plane(), {20, 0}, limits), 1, 1e-12);     // -2 m, and the ground is at 2
+  EXPECT_LE(too_low(falling_plane(), {18, 0}, limits), 1e-12);
+  // 2 m, and 3.5 would be left where the ground is above the points.
+  EXPECT_NEAR(too_low(falling_plane(), {12, 0}, {0.3, 0.5, 8}), 1.5, 1e-12);
   EXPECT_NEAR(most_overshoot(falling_plane(), {2, 0.5, 0}), 3, 1e-12);  // three steps' rise
 }
 
