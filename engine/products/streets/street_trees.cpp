@@ -72,9 +72,10 @@ class TreeFinder {
 
   std::vector<StreetTree> find() {
     const std::uint64_t side = tiles_.raster().grid.side + 2 * halo_;
-    const std::uint64_t voxels = (side / voxel_ + 1) * (side / voxel_ + 1) * slices() * sizeof(TrunkVoxel);
-    run_tasks(tiles_.raster().grid,
-              std::vector<std::uint64_t>(trunks_.size(), 2 * voxels + side * side * 8 + kBytesOfRead),
+    const std::uint64_t columns = view_ == StreetView::air ? 0 : (side / voxel_ + 1) * (side / voxel_ + 1);
+    const std::uint64_t voxels =
+        columns * slices() * (sizeof(TrunkVoxel) + 2);  // with marks, and pieces of those in use
+    run_tasks(tiles_.raster().grid, std::vector<std::uint64_t>(trunks_.size(), voxels + side * side * 8 + kBytesOfRead),
               [&](std::size_t tile) { draw(tile); });
     const std::uint64_t wide = raster_.layers.grid.side + 2 * reach();
     run_tasks(tiles_.raster().grid, std::vector<std::uint64_t>(trunks_.size(), wide * wide * kBytesOfCell),
@@ -131,10 +132,10 @@ class TreeFinder {
 
   TrunkVoxels empty_voxels(std::uint32_t pixels) const {
     TrunkVoxels voxels;
+    if (view_ == StreetView::air) return voxels;  // what is narrow and upright has few points or none
     voxels.width = voxels.height = (pixels + voxel_ - 1) / voxel_;
     voxels.slices = slices();
     voxels.side = voxel_ * tiles_.raster().scale.pixel;
-    voxels.unit = tiles_.raster().scale.unit;
     voxels.first = kTrunkFrom;
     voxels.slice = slice_;
     voxels.values.resize(std::size_t{voxels.width} * voxels.height * voxels.slices);
@@ -150,7 +151,8 @@ class TreeFinder {
     const std::uint32_t a = voxel_of(x), b = voxel_of(y);
     const std::int64_t units = tiles_.raster().pixel * voxel_;
     TrunkVoxel& voxel = voxels.values[(std::size_t{slice} * voxels.height + b) * voxels.width + a];
-    voxel.x += static_cast<std::uint64_t>(x - a * units), voxel.y += static_cast<std::uint64_t>(y - b * units);
+    voxel.x += static_cast<std::uint32_t>((x - a * units) * kTrunkSteps / units);
+    voxel.y += static_cast<std::uint32_t>((y - b * units) * kTrunkSteps / units);
     ++voxel.points;
   }
 
@@ -176,7 +178,6 @@ class TreeFinder {
   void place_trunks(std::size_t tile, const TrunkVoxels& voxels) {
     const double halo = halo_ * tiles_.raster().scale.pixel, side = raster_.layers.grid.side * raster_.cell;
     const TileFrame frame = tile_frame(raster_.layers.grid, tile);
-    if (view_ == StreetView::air) return;  // what is narrow and upright has few points or none
     for (const Trunk& trunk : find_trunks(voxels)) {
       const double x = trunk.x - halo, y = trunk.y - halo;
       if (x >= 0 && y >= 0 && x < side && y < side)

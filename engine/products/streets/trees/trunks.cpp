@@ -63,9 +63,8 @@ class TrunkFinder {
 
   VoxelMean mean_of(std::uint32_t slice, std::uint32_t x, std::uint32_t y) const {
     const TrunkVoxel& v = voxels_.values[place(slice, x, y)];
-    const double n = v.points;
-    return {x * voxels_.side + static_cast<double>(v.x) / n * voxels_.unit,
-            y * voxels_.side + static_cast<double>(v.y) / n * voxels_.unit,
+    const double n = v.points, step = voxels_.side / kTrunkSteps;
+    return {x * voxels_.side + (v.x / n + 0.5) * step, y * voxels_.side + (v.y / n + 0.5) * step,
             voxels_.first + (slice + 0.5) * voxels_.slice, v.points};
   }
 

@@ -6,10 +6,11 @@
 
 namespace ilot {
 
-// The points of a voxel: their number, and the sums of their distances from its corner. Sums of whole numbers do not
-// depend on the order of the points.
+// The points of a voxel: their number, and the sums of their distances from its corner in whole steps, so that they do
+// not depend on the order of the points. Sums hold 16 million points.
+constexpr std::uint32_t kTrunkSteps = 256;  // along the side of a voxel
 struct TrunkVoxel {
-  std::uint64_t x = 0, y = 0;  // lattice units
+  std::uint32_t x = 0, y = 0;  // steps
   std::uint32_t points = 0;
 };
 
@@ -17,7 +18,6 @@ struct TrunkVoxel {
 struct TrunkVoxels {
   std::uint32_t width = 0, height = 0, slices = 0;
   double side = 0.1;    // metres, in plan
-  double unit = 0.001;  // metres of a lattice unit
   double first = 0.3;   // metres above the ground where the lowest slice begins
   double slice = 0.25;  // metres, height of a slice
   std::vector<TrunkVoxel> values = {};

@@ -43,8 +43,8 @@ TrunkVoxels voxels_of(const std::vector<std::array<double, 3>>& points) {
     if (s < 0 || s >= v.slices) continue;
     const auto a = static_cast<std::size_t>(x / v.side), b = static_cast<std::size_t>(y / v.side);
     TrunkVoxel& voxel = v.values[(static_cast<std::size_t>(s) * v.height + b) * v.width + a];
-    voxel.x += static_cast<std::uint64_t>((x - static_cast<double>(a) * v.side) / v.unit + 0.5);
-    voxel.y += static_cast<std::uint64_t>((y - static_cast<double>(b) * v.side) / v.unit + 0.5);
+    voxel.x += static_cast<std::uint32_t>((x - static_cast<double>(a) * v.side) / v.side * kTrunkSteps);
+    voxel.y += static_cast<std::uint32_t>((y - static_cast<double>(b) * v.side) / v.side * kTrunkSteps);
     ++voxel.points;
   }
   return v;
