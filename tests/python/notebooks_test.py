@@ -20,7 +20,8 @@ os.environ["MPLBACKEND"] = "Agg"
 
 
 def printed(cell):
-    return "".join("".join(output["text"]) for output in cell.get("outputs", ()) if output["output_type"] == "stream")
+    """Not what goes to standard error: libraries warn there of what is slow on a busy machine."""
+    return "".join("".join(output["text"]) for output in cell.get("outputs", ()) if output.get("name") == "stdout")
 
 
 def pictures(cell):

@@ -105,10 +105,10 @@ ExportFrame frame_of(const ResultFolder& result, const ExportParams& params) {
     frame.crs_name = record.value("name", "none");
     if (frame.crs_name == "none") frame.crs_name.clear();
     const std::string wkt = record.value("wkt", "");
-    if (frame.crs_name.starts_with("EPSG:"))
-      frame.crs = crs_from_text(frame.crs_name);
-    else if (!wkt.empty())
+    if (!wkt.empty())
       frame.crs = crs_from_text(wkt);
+    else if (frame.crs_name.starts_with("EPSG:"))
+      frame.crs = crs_from_text(frame.crs_name);
   }
   // Heads of files have the name on one line.
   std::replace_if(

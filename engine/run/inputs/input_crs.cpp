@@ -125,6 +125,17 @@ double make_heights_alike(RunInputs& inputs, const RunOptions& options, Progress
   return changed;
 }
 
+// Of plan and heights from two systems the code is that of the plan alone.
+bool is_said_by_code(const Crs& crs) {
+  const auto has_heights = [](const Crs& c) { return horizontal_crs(c).wkt != c.wkt; };
+  if (crs.epsg == 0 || !has_heights(crs)) return crs.epsg != 0;
+  try {
+    return has_heights(crs_from_epsg(crs.epsg));
+  } catch (const Error&) {  // a file may claim any code
+    return false;
+  }
+}
+
 }  // namespace
 
 std::string crs_name(const Crs& crs) {
@@ -133,7 +144,7 @@ std::string crs_name(const Crs& crs) {
 }
 
 CrsRecord crs_record(const Crs& crs) {
-  return {crs_name(crs), crs.metres_per_unit, crs.epsg == 0 ? crs.wkt : std::string()};
+  return {crs_name(crs), crs.metres_per_unit, is_said_by_code(crs) ? std::string() : crs.wkt};
 }
 
 double resolve_crs(RunInputs& inputs, const RunOptions& options, Progress& progress, RunRecord& record) {
