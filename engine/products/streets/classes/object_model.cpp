@@ -62,7 +62,6 @@ class ModelReader {
     words >> word;
     if (word == "feature") return take_feature(words);
     if (word == "class") return take_class(words);
-    if (word == "calibrated") return take_calibration(words);
     if (word == "kernel") {
       const auto v = numbers(words, 2);
       model_.cost = v[0], model_.gamma = v[1];
@@ -110,22 +109,15 @@ class ModelReader {
   void take_class(std::istringstream& words) {
     const auto v = numbers(words, 2);
     if (!(v[0] > 0)) fail("a class is never there");
-    model_.classes.push_back(class_named(words));
-    model_.prior.push_back(v[0]);
-    model_.min_similarity.push_back(v[1]);
-  }
-
-  void take_calibration(std::istringstream& words) {
-    const auto v = numbers(words, 2);
-    if (!(v[0] > 0)) fail("a calibration turns probabilities around");
-    model_.calibrations.push_back({class_named(words), v[0], v[1]});
-  }
-
-  PointLabel class_named(std::istringstream& words) const {
     std::string name;
     words >> name;
-    for (std::uint32_t value = 0; value <= point_label_names().rbegin()->first; ++value)
-      if (object_class_name(static_cast<PointLabel>(value)) == name) return static_cast<PointLabel>(value);
+    for (std::uint32_t value = 0; value <= point_label_names().rbegin()->first; ++value) {
+      if (object_class_name(static_cast<PointLabel>(value)) != name) continue;
+      model_.classes.push_back(static_cast<PointLabel>(value));
+      model_.prior.push_back(v[0]);
+      model_.min_similarity.push_back(v[1]);
+      return;
+    }
     fail("there is no class '" + name + "'");
   }
 
@@ -190,14 +182,6 @@ MostProbable most_probable(const ObjectModel& model, const ClassShares& shares, 
   return best;
 }
 
-// The probability of an object of a class as it is true on streets that were not trained on.
-double calibrated(const ObjectModel& model, PointLabel label, double probability) {
-  const double p = std::clamp(probability, kLeastShare, 1 - kLeastShare), odds = natural_log(p) - natural_log(1 - p);
-  for (const Calibration& c : model.calibrations)
-    if (c.label == label) return sigmoid(-(c.slope * odds + c.offset));
-  return probability;
-}
-
 CandidateClass class_of(const ObjectModel& model, const ClassShares& shares, const KindShares& kind) {
   const auto logs = state_logs(kind);
   std::array<double, kCandidateStates> log, weight;
@@ -218,7 +202,6 @@ CandidateClass class_of(const ObjectModel& model, const ClassShares& shares, con
   }
   CandidateClass out{label, 0, std::max(object, rest), part, merged, log[0] - log[1]};
   out.probability = all > 0 ? of_side * (is_object ? of(CandidateKind::object) : no_object) / all : 0;
-  if (is_object) out.probability = calibrated(model, label, out.probability);
   if (is_object && !is_similar)
     out.label = PointLabel::other, out.probability = 1 / static_cast<double>(shares.share.size());
   return out;
@@ -270,8 +253,6 @@ std::string object_model_text(const ObjectModel& model) {
   text += fmt::format("kernel {:.9g} {:.9g}\n", model.cost, model.gamma);
   for (std::size_t p = 0; p < model.rho.size(); ++p)
     text += fmt::format("pair {:.9g} {:.9g} {:.9g}\n", model.rho[p], model.slope[p], model.offset[p]);
-  for (const Calibration& c : model.calibrations)
-    text += fmt::format("calibrated {:.9g} {:.9g} {}\n", c.slope, c.offset, object_class_name(c.label));
   text += "roles";
   for (const auto& list : {model.roles.power, model.roles.bias})
     for (const double v : list) text += fmt::format(" {:.9g}", v);

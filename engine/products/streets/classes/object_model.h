@@ -26,13 +26,6 @@ struct RoleWeights {
   std::array<double, kCandidateStates> power{1, 1, 1, 1}, bias{};
 };
 
-// What makes the probabilities of a class true on streets that were not trained on: the log odds are multiplied by
-// `slope`, then `offset` is added [the scaling of Platt 1999, for one class].
-struct Calibration {
-  PointLabel label = PointLabel::other;
-  double slope = 1, offset = 0;
-};
-
 // A trained support vector machine (one against one, radial kernel exp(-gamma d^2) on standardised features). Where the
 // samples had roles, the model also has trees that decide what is whole and an object. The machine is then trained on
 // objects only.
@@ -50,7 +43,6 @@ struct ObjectModel {
   std::vector<double> rho, slope, offset;      // per pair of classes: (0, 1), (0, 2) ... (1, 2) ...
   RoleTrees trees;
   RoleWeights roles;
-  std::vector<Calibration> calibrations;  // of classes of objects; the others state what the model gives
 };
 
 // The class of a candidate if it is whole, and the probability of that class; and the weight of each role: its

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "engine/error.h"
 #include "kernels/core/parallel.h"
 #include "kernels/core/rng.h"
@@ -69,25 +67,6 @@ TEST(ObjectModel, TextAndBack) {
     EXPECT_NEAR(classify_candidate(back, s.features).probability, classify_candidate(model, s.features).probability,
                 1e-3);
   }
-}
-
-TEST(ObjectModel, ACalibrationChangesProbabilitiesAndNoClass) {
-  const ObjectModel plain = train_object_model(samples_of(20, 4));
-  ObjectModel even = plain, surer = plain;
-  even.calibrations = {{PointLabel::car, 1, 0}};
-  surer.calibrations = {{PointLabel::car, 2, 0.5}};
-  surer = parse_object_model(object_model_text(surer), "test");
-  for (const TrainingSample& s : samples_of(20, 5)) {
-    const CandidateClass before = classify_candidate(plain, s.features), same = classify_candidate(even, s.features),
-                         after = classify_candidate(surer, s.features);
-    EXPECT_NEAR(same.probability, before.probability, 1e-4);
-    EXPECT_EQ(after.label, before.label);
-    const double odds = std::log(before.probability / (1 - before.probability));
-    const double want = before.label == PointLabel::car ? 1 / (1 + std::exp(-(2 * odds + 0.5))) : before.probability;
-    EXPECT_NEAR(after.probability, want, 1e-3);
-  }
-  EXPECT_THROW(parse_object_model("ilot objects 3\ncalibrated -1 0 car\n", "test"), Error);
-  EXPECT_THROW(parse_object_model("ilot objects 3\ncalibrated 1 0 tram\n", "test"), Error);
 }
 
 // One class of objects is left, so there is no machine.

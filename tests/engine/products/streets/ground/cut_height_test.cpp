@@ -26,7 +26,7 @@ double share_of(const Image& above, std::uint32_t tile) {
 
 // Ground, a row of walls of a height, and lower things before it.
 Image street_with_walls(Height walls) {
-  Image above = filled_image(kCutSide, kCutSide, 20);
+  Image above = filled_image(kCutSide, kCutSide, 0);
   test::put(above, {0, 4, kCutSide, 3}, walls);
   test::put(above, {10, 20, 10, 4}, 1000);
   return above;
