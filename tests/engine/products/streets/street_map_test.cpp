@@ -48,18 +48,18 @@ std::vector<Index3> street_with_a_tree() {
   return points;
 }
 
-struct Outcome {
+struct MapOutcome {
   StreetPlan plan;
   std::string trees, kerbs;  // bytes of the files
 };
 
-std::string bytes_of(const std::filesystem::path& file) {
+std::string map_bytes(const std::filesystem::path& file) {
   std::stringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();
   return text.str();
 }
 
-Outcome run_street(const std::vector<Index3>& points, const std::function<void(RunOptions&)>& change = {}) {
+MapOutcome run_street(const std::vector<Index3>& points, const std::function<void(RunOptions&)>& change = {}) {
   const TemporaryFolder folder;
   const auto cloud = folder.path() / "street.las";
   test::write_cloud(cloud, points);
@@ -74,8 +74,8 @@ Outcome run_street(const std::vector<Index3>& points, const std::function<void(R
   if (change) change(options);
   Progress progress;
   run(options, progress);
-  return {read_streets(options.output), bytes_of(options.output / "streets" / "trees.gpkg"),
-          bytes_of(options.output / "streets" / "kerbs.gpkg")};
+  return {read_streets(options.output), map_bytes(options.output / "streets" / "trees.gpkg"),
+          map_bytes(options.output / "streets" / "kerbs.gpkg")};
 }
 
 TEST(StreetMap, TheTreeIsWhereItStands) {
@@ -115,28 +115,28 @@ TEST(StreetMap, TheKerbIsOnItsEdgeAndTheBoxHidesAPartOfIt) {
 // The same bytes for any number of threads, length of blocks, order of points, and memory.
 TEST(StreetMap, NothingDependsOnThreadsBlocksOrderOrMemory) {
   std::vector<Index3> points = street_with_a_tree();
-  const Outcome one = run_street(points, [](RunOptions& o) { o.threads = 1; });
+  const MapOutcome one = run_street(points, [](RunOptions& o) { o.threads = 1; });
   ASSERT_FALSE(one.trees.empty());
   ASSERT_FALSE(one.kerbs.empty());
-  const Outcome three = run_street(points, [](RunOptions& o) { o.threads = 3; });
+  const MapOutcome three = run_street(points, [](RunOptions& o) { o.threads = 3; });
   EXPECT_EQ(three.trees, one.trees);
   EXPECT_EQ(three.kerbs, one.kerbs);
-  const Outcome blocks = run_street(points, [](RunOptions& o) {
+  const MapOutcome blocks = run_street(points, [](RunOptions& o) {
     o.settings.index.block_points = 20000;
     o.memory_bytes = std::uint64_t{256} << 20;
   });
   EXPECT_EQ(blocks.trees, one.trees);
   EXPECT_EQ(blocks.kerbs, one.kerbs);
   std::reverse(points.begin(), points.end());
-  const Outcome reversed = run_street(points);
+  const MapOutcome reversed = run_street(points);
   EXPECT_EQ(reversed.trees, one.trees);
   EXPECT_EQ(reversed.kerbs, one.kerbs);
 }
 
 // What is inside of an area is as without it, though the points around it lose their labels.
 TEST(StreetMap, AnAreaCutsNothingOfATreeThatStandsInIt) {
-  const Outcome whole = run_street(street_with_a_tree());
-  const Outcome part = run_street(street_with_a_tree(), [](RunOptions& o) {
+  const MapOutcome whole = run_street(street_with_a_tree());
+  const MapOutcome part = run_street(street_with_a_tree(), [](RunOptions& o) {
     o.area = Area{kX / 1000.0 + 8, kY / 1000.0, kX / 1000.0 + 13, kY / 1000.0 + 12, {}};
   });
   ASSERT_EQ(whole.plan.trees.size(), 1u);

@@ -11,13 +11,13 @@
 namespace ilot {
 namespace {
 
-struct Step {
+struct TestStep {
   double angle_deg = 0, at = 0, height = 0.12;  // across the edge; of the edge from the middle
   double slope = 0.1;                           // along the edge
   double low_slope = -0.03, up_slope = 0.02;    // away from the edge
 };
 
-std::vector<GroundPoint> points_of(const Step& step, double noise, std::uint64_t seed, double radius = 0.4) {
+std::vector<GroundPoint> step_points(const TestStep& step, double noise, std::uint64_t seed, double radius = 0.4) {
   const double a = step.angle_deg * 3.14159265358979 / 180, ux = std::cos(a), uy = std::sin(a);
   Rng rng(seed);
   std::vector<GroundPoint> points;
@@ -36,8 +36,8 @@ TEST(StepFit, EdgeAndHeightInAllDirections) {
   for (const double angle : {0.0, 33.0, 90.0, 178.0, 250.0})
     for (const double height : {0.05, 0.12, 0.25})
       for (const double at : {-0.1, 0.0, 0.08}) {
-        const Step step{angle, at, height};
-        const auto fit = fit_step(points_of(step, 0.01, 3), {});
+        const TestStep step{angle, at, height};
+        const auto fit = fit_step(step_points(step, 0.01, 3), {});
         ASSERT_TRUE(fit) << angle << " " << height << " " << at;
         EXPECT_NEAR(fit->height, height, 0.012) << angle << " " << at;
         const double a = angle * 3.14159265358979 / 180;
@@ -47,11 +47,11 @@ TEST(StepFit, EdgeAndHeightInAllDirections) {
 }
 
 TEST(StepFit, NoStepOnPlanesRampsAndRoughGround) {
-  EXPECT_FALSE(fit_step(points_of({20, 0, 0, 0.18}, 0.02, 1), {}));          // a steep street
-  EXPECT_FALSE(fit_step(points_of({20, 0, 0, 0.1, 0.03, 0.03}, 0, 2), {}));  // a gutter
-  EXPECT_FALSE(fit_step(points_of({20, 0, 0.02}, 0.01, 3), {}));             // lower than a kerb
-  EXPECT_FALSE(fit_step(points_of({20, 0, 0.5}, 0.01, 4), {}));              // a wall
-  EXPECT_FALSE(fit_step(points_of({20, 0, 0}, 0.3, 5), {}));                 // a lawn
+  EXPECT_FALSE(fit_step(step_points({20, 0, 0, 0.18}, 0.02, 1), {}));          // a steep street
+  EXPECT_FALSE(fit_step(step_points({20, 0, 0, 0.1, 0.03, 0.03}, 0, 2), {}));  // a gutter
+  EXPECT_FALSE(fit_step(step_points({20, 0, 0.02}, 0.01, 3), {}));             // lower than a kerb
+  EXPECT_FALSE(fit_step(step_points({20, 0, 0.5}, 0.01, 4), {}));              // a wall
+  EXPECT_FALSE(fit_step(step_points({20, 0, 0}, 0.3, 5), {}));                 // a lawn
   EXPECT_FALSE(fit_step({}, {}));
 }
 
@@ -66,7 +66,7 @@ TEST(StepFit, TheFootOfAWallIsNone) {
 }
 
 TEST(StepFit, TheOrderOfTheDirectionsDoesNotTurnTheAnswer) {
-  std::vector<GroundPoint> points = points_of({40, 0.05, 0.1}, 0.01, 8);
+  std::vector<GroundPoint> points = step_points({40, 0.05, 0.1}, 0.01, 8);
   const auto fit = fit_step(points, {});
   for (GroundPoint& p : points) p.x = -p.x, p.y = -p.y;
   const auto turned = fit_step(points, {});

@@ -31,7 +31,7 @@ Image canopy(std::uint32_t width, std::uint32_t height, const std::vector<Dome>&
   return image;
 }
 
-CrownParams params() {
+CrownParams crown_params() {
   CrownParams p;
   p.least_height = 3000;
   return p;
@@ -39,17 +39,17 @@ CrownParams params() {
 
 TEST(Crowns, ApartAreTwoAndOverlappingDomesAreToldByTheirPass) {
   const Image apart = canopy(60, 30, {{15, 15, 8, 10}, {42, 15, 8, 8}});
-  EXPECT_EQ(find_crowns(apart, {}, params()).regions.size(), 2u);
+  EXPECT_EQ(find_crowns(apart, {}, crown_params()).regions.size(), 2u);
   const Image deep = canopy(60, 30, {{18, 15, 10, 10}, {36, 15, 10, 10}});  // a pass at 0.72 of the tops
-  EXPECT_EQ(find_crowns(deep, {}, params()).regions.size(), 2u);
+  EXPECT_EQ(find_crowns(deep, {}, crown_params()).regions.size(), 2u);
   const Image shallow = canopy(60, 30, {{26, 15, 10, 10}, {32, 15, 10, 10}});  // at 0.98
-  EXPECT_EQ(find_crowns(shallow, {}, params()).regions.size(), 1u);
+  EXPECT_EQ(find_crowns(shallow, {}, crown_params()).regions.size(), 1u);
 }
 
 TEST(Crowns, TwoTrunksBelowOneSummitSplitIt) {
   const Image dome = canopy(60, 30, {{30, 15, 14, 10}});
   const std::vector<TrunkCell> trunks{{22, 15}, {38, 15}};
-  const CrownRegions crowns = find_crowns(dome, trunks, params());
+  const CrownRegions crowns = find_crowns(dome, trunks, crown_params());
   ASSERT_EQ(crowns.regions.size(), 2u);
   EXPECT_NE(crowns.of[15 * 60 + 20], crowns.of[15 * 60 + 40]);
   std::set<int> owners{crowns.regions[0].trunk, crowns.regions[1].trunk};
@@ -58,16 +58,16 @@ TEST(Crowns, TwoTrunksBelowOneSummitSplitIt) {
 
 TEST(Crowns, ATrunkJoinsWhatIsOneTreeWithSeveralSummits) {
   const Image two = canopy(60, 30, {{24, 15, 10, 10}, {38, 15, 10, 10}});  // a pass at 0.85
-  EXPECT_EQ(find_crowns(two, {}, params()).regions.size(), 2u);
+  EXPECT_EQ(find_crowns(two, {}, crown_params()).regions.size(), 2u);
   const std::vector<TrunkCell> trunk{{24, 15}};
-  EXPECT_EQ(find_crowns(two, trunk, params()).regions.size(), 1u);
+  EXPECT_EQ(find_crowns(two, trunk, crown_params()).regions.size(), 1u);
 }
 
 TEST(Crowns, LowCellsAreInNoneAndEveryOtherCellIsInOne) {
   Image image = canopy(40, 40, {{12, 12, 9, 12}, {28, 28, 9, 7}, {30, 8, 6, 2}});
-  const CrownRegions crowns = find_crowns(image, {}, params());
+  const CrownRegions crowns = find_crowns(image, {}, crown_params());
   for (std::size_t i = 0; i < image.size(); ++i) EXPECT_EQ(crowns.of[i] != 0, image.values[i] >= 3000) << i;
-  EXPECT_TRUE(find_crowns(filled_image(5, 5, kNoHeight), {}, params()).regions.empty());
+  EXPECT_TRUE(find_crowns(filled_image(5, 5, kNoHeight), {}, crown_params()).regions.empty());
 }
 
 TEST(TreeShape, MeasuresOfACrown) {

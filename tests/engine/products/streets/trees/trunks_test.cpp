@@ -33,7 +33,7 @@ TEST(CircleFit, NoneForPointsOnALineAndForFew) {
   EXPECT_EQ(fit_circle(std::span(points).first(3)).radius, 0);
 }
 
-TrunkVoxels voxels_of(const std::vector<std::array<double, 3>>& points) {
+TrunkVoxels trunk_voxels(const std::vector<std::array<double, 3>>& points) {
   TrunkVoxels v;
   v.width = v.height = 80;
   v.slices = 12;
@@ -51,7 +51,7 @@ TrunkVoxels voxels_of(const std::vector<std::array<double, 3>>& points) {
 }
 
 // The side of an upright cylinder that is seen from the south, from 0 to 4 m.
-void add_trunk(double x, double y, double radius, double lean, std::vector<std::array<double, 3>>& points) {
+void add_trunk_side(double x, double y, double radius, double lean, std::vector<std::array<double, 3>>& points) {
   for (int k = 0; k < 200; ++k)
     for (int i = 0; i <= 20; ++i) {
       const double h = 0.02 * k, a = (180 + 9.0 * i) * 3.14159265358979 / 180;
@@ -63,8 +63,8 @@ TEST(Trunks, TheAxisIsThatOfTheCylinderThoughOneSideIsSeen) {
   for (const double radius : {0.05, 0.15, 0.4})
     for (const double lean : {0.0, 0.05}) {
       std::vector<std::array<double, 3>> points;
-      add_trunk(4.03, 3.96, radius, lean, points);
-      const std::vector<Trunk> trunks = find_trunks(voxels_of(points));
+      add_trunk_side(4.03, 3.96, radius, lean, points);
+      const std::vector<Trunk> trunks = find_trunks(trunk_voxels(points));
       ASSERT_EQ(trunks.size(), 1u) << radius << " " << lean;
       EXPECT_NEAR(trunks[0].x, 4.03, 0.03) << radius << " " << lean;
       EXPECT_NEAR(trunks[0].y, 3.96, 0.03) << radius << " " << lean;
@@ -82,8 +82,8 @@ TEST(Trunks, WallsLowPostsAndCrownsAreNone) {
   Rng rng(1);
   for (int i = 0; i < 4000; ++i)  // leaves
     points.push_back({1 + 5 * rng.uniform(), 3 + 2 * rng.uniform(), 1.5 + 2 * rng.uniform()});
-  EXPECT_TRUE(find_trunks(voxels_of(points)).empty());
-  EXPECT_TRUE(find_trunks(voxels_of({})).empty());
+  EXPECT_TRUE(find_trunks(trunk_voxels(points)).empty());
+  EXPECT_TRUE(find_trunks(trunk_voxels({})).empty());
 }
 
 }  // namespace
