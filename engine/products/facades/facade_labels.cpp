@@ -30,20 +30,26 @@ PointLabel label_of_kind(const std::string& kind) {
   return found == labels.end() ? PointLabel::facade : found->second;
 }
 
+struct FlatCircle {
+  double u = 0, v = 0, radius = 0;
+};
+
 // An element as a rectangle in the axes of the wall, in metres.
 struct Part {
   std::uint32_t element = 0;
   PointLabel label = PointLabel::facade;
   bool opening = false;
   Box2 box;
-  double depth = 0, margin = 0;                 // depth of its front; margin beside it
-  double arc_u = 0, arc_v = 0, arc_radius = 0;  // round top; radius 0: the top is not round
+  double depth = 0, margin = 0;  // depth of its front; margin beside it
+  std::vector<FlatCircle> arcs;  // of a round or pointed top: it is within all of them
 
   bool contains(Place2 p) const {
     if (!box.grown(margin).contains(p)) return false;
-    if (arc_radius == 0 || p.v <= arc_v || std::abs(p.u - arc_u) > arc_radius) return true;
-    const double u = p.u - arc_u, v = p.v - arc_v;
-    return u * u + v * v <= (arc_radius + margin) * (arc_radius + margin);
+    return std::all_of(arcs.begin(), arcs.end(), [&](const FlatCircle& arc) {
+      const double u = p.u - arc.u, v = p.v - arc.v;
+      if (v <= 0 || std::abs(u) > arc.radius) return true;
+      return u * u + v * v <= (arc.radius + margin) * (arc.radius + margin);
+    });
   }
 };
 
@@ -109,11 +115,9 @@ class LabelledFacade {
     for (const FacadeEdge& edge : e.edges)
       if (edge.status == DrawnStatus::seen) part.margin = std::max(part.margin, edge.error_m);
     part.margin = std::min(part.margin, kMostMargin);
-    if (e.arcs.size() == 1) {
-      part.arc_u = metres * dot(e.arcs[0].centre - facade.origin, facade.right);
-      part.arc_v = metres * dot(e.arcs[0].centre - facade.origin, facade.up);
-      part.arc_radius = metres * e.arcs[0].radius_m;
-    }
+    for (const FacadeArc& arc : e.arcs)
+      part.arcs.push_back({metres * dot(arc.centre - facade.origin, facade.right),
+                           metres * dot(arc.centre - facade.origin, facade.up), metres * arc.radius_m});
     return part;
   }
 

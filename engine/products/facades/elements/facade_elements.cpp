@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/products/facades/elements/element_kinds.h"
+#include "engine/products/facades/openings/pointed_top.h"
 #include "engine/products/facades/walls/side_faces.h"
 #include "kernels/core/portable_math.h"
 
@@ -38,17 +39,31 @@ std::vector<Vec3> leaning_ring(const FacadeSite& site, const FoundRectangle& r) 
           corner(Side::left, Side::top)};
 }
 
-// The corners of an opening under an arc, from the lower left on, and the side of each edge.
-struct ArchedRing {
+// The corners of an opening under an arch or a point, from the lower left on, and the side of each edge.
+struct HeadedRing {
   std::vector<Vec3> corners;
   std::vector<Side> sides;
-  FacadeArc arc;
+  std::vector<FacadeArc> arcs;
+
+  void add(const FacadeSite& site, Place2 at, Side side) {
+    corners.push_back(place_of(site, at.u, at.v, 0));
+    sides.push_back(side);
+  }
+  // Adds the chords of an arc without its ends.
+  void add_chords(const FacadeSite& site, Place2 centre, double radius, double from, double to) {
+    // Derived: the sagitta of a chord of 5 degrees is 1e-3 of the radius, 0.5 mm of an arch with a radius of half a
+    // metre.
+    constexpr double kLongestChord = 5;  // degrees
+    const int chords = std::max(2, static_cast<int>(std::ceil((to - from) / kLongestChord)));
+    for (int i = 1; i < chords; ++i) {
+      const double angle = from + (to - from) * i / chords;
+      add(site, {centre.u + radius * cos_degrees(angle), centre.v + radius * cos_degrees(angle - 90)}, Side::top);
+    }
+    arcs.push_back({place_of(site, centre.u, centre.v, 0), radius, from, to});
+  }
 };
 
-ArchedRing arched_ring(const FacadeSite& site, const FoundRectangle& r) {
-  // Derived: the sagitta of a chord of 5 degrees is 1e-3 of the radius, 0.5 mm of an arch with a radius of half a
-  // metre.
-  constexpr double kLongestChord = 5;  // degrees
+HeadedRing arched_ring(const FacadeSite& site, const FoundRectangle& r) {
   const Box2 box = r.box();
   const double u = r.arc->centre.u, v = box.v1 - r.arc->radius, radius = r.arc->radius;
   // A jamb that is a tangent within its error meets the arc at the height of the centre. The intersection of the two
@@ -60,21 +75,33 @@ ArchedRing arched_ring(const FacadeSite& site, const FoundRectangle& r) {
   };
   const double right = springing(box.u1, Side::right), left = springing(box.u0, Side::left);
   const double from = direction_degrees(box.u1 - u, right - v), to = direction_degrees(box.u0 - u, left - v);
-  ArchedRing ring;
-  const auto add = [&](double at_u, double at_v, Side side) {
-    ring.corners.push_back(place_of(site, at_u, at_v, 0));
-    ring.sides.push_back(side);
-  };
-  add(box.u0, box.v0, Side::bottom);
-  add(box.u1, box.v0, Side::right);
-  add(box.u1, right, Side::top);
-  const int chords = std::max(2, static_cast<int>(std::ceil((to - from) / kLongestChord)));
-  for (int i = 1; i < chords; ++i) {
-    const double angle = from + (to - from) * i / chords;
-    add(u + radius * cos_degrees(angle), v + radius * cos_degrees(angle - 90), Side::top);
-  }
-  add(box.u0, left, Side::left);
-  ring.arc = {place_of(site, u, v, 0), radius, from, to};
+  HeadedRing ring;
+  ring.add(site, {box.u0, box.v0}, Side::bottom);
+  ring.add(site, {box.u1, box.v0}, Side::right);
+  ring.add(site, {box.u1, right}, Side::top);
+  ring.add_chords(site, {u, v}, radius, from, to);
+  ring.add(site, {box.u0, left}, Side::left);
+  return ring;
+}
+
+HeadedRing pointed_ring(const FacadeSite& site, const FoundRectangle& r) {
+  const Box2 box = r.box();
+  const PointedTop& top = *r.pointed;
+  const Place2 crown{(box.u0 + box.u1) / 2 + top.crown_u, box.v1};
+  const Place2 right{box.u1, springing_of(r, Side::right)}, left{box.u0, springing_of(r, Side::left)};
+  // The centre of the arc on one side, and the direction from it to a place.
+  const auto centre = [&](double sign) { return Place2{crown.u + sign * top.centre.u, crown.v + top.centre.v}; };
+  const auto direction = [](Place2 from, Place2 to) { return direction_degrees(to.u - from.u, to.v - from.v); };
+  HeadedRing ring;
+  ring.add(site, {box.u0, box.v0}, Side::bottom);
+  ring.add(site, {box.u1, box.v0}, Side::right);
+  ring.add(site, right, Side::top);
+  if (top.radius > 0)
+    ring.add_chords(site, centre(1), top.radius, direction(centre(1), right), direction(centre(1), crown));
+  ring.add(site, crown, Side::top);
+  if (top.radius > 0)
+    ring.add_chords(site, centre(-1), top.radius, direction(centre(-1), crown), direction(centre(-1), left));
+  ring.add(site, left, Side::left);
   return ring;
 }
 
@@ -93,11 +120,11 @@ FacadeElement element_of(const FacadeSite& site, const ElementCandidate& candida
   e.row = candidate.row;
   e.column = candidate.column;
   std::vector<Side> sides(kSides.begin(), kSides.end());
-  if (r.arc) {
-    ArchedRing arched = arched_ring(site, r);
-    e.ring = std::move(arched.corners);
-    e.arcs = {arched.arc};
-    sides = std::move(arched.sides);
+  if (r.arc || r.pointed) {
+    HeadedRing headed = r.arc ? arched_ring(site, r) : pointed_ring(site, r);
+    e.ring = std::move(headed.corners);
+    e.arcs = std::move(headed.arcs);
+    sides = std::move(headed.sides);
   } else if (r.leans()) {
     e.ring = leaning_ring(site, r);
   } else {
@@ -120,7 +147,7 @@ FacadeElement element_of(const FacadeSite& site, const ElementCandidate& candida
   e.height_error_m = both(r.error(Side::bottom), r.error(Side::top));
   e.depth_error_m = r.depth_error;
   e.points = r.points;
-  if (!r.arc && !r.leans() && r.depth != 0 && r.end) e.body = body_between(site, r.box(), 0, *r.end, r.depth);
+  if (r.is_rectangle() && r.depth != 0 && r.end) e.body = body_between(site, r.box(), 0, *r.end, r.depth);
   return e;
 }
 

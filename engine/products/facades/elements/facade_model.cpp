@@ -120,7 +120,7 @@ void add_large_relief(std::vector<ElementCandidate>& candidates, const std::vect
       return (t.shape.depth > 0) == (r.depth > 0) && t.kind != ElementKind::stone;
     };
     const auto known = std::find_if(candidates.begin(), candidates.end(), [&](const ElementCandidate& t) {
-      return same_side(t) && common_area(box, t.shape.box()) >= kSameElement * box.width() * box.height();
+      return same_side(t) && common_area(box, t.shape.extent()) >= kSameElement * box.width() * box.height();
     });
     if (known != candidates.end()) {
       const Box2 own = known->shape.box();
@@ -221,7 +221,7 @@ void find_ends(std::vector<ElementCandidate>& candidates, const RaySamples& samp
     FoundRectangle& r = candidates[i].shape;
     const Box2 box = r.box();
     if (r.end) r.end = straightened(*r.end, box, box);
-    if (r.end || r.arc || r.leans() || candidates[i].kind == ElementKind::stone || r.depth == 0) return;
+    if (r.end || !r.is_rectangle() || candidates[i].kind == ElementKind::stone || r.depth == 0) return;
     const double about = 1.5 * SliceParams{}.spacing;
     const SliceRange range{box.grown(kMargin), r.depth - about, r.depth + about};
     const std::optional<FacadeSlice> end = end_slice(slices_of(samples, range));

@@ -6,19 +6,16 @@
 #include <utility>
 #include <vector>
 
+#include "engine/products/facades/openings/head_places.h"
 #include "kernels/core/portable_math.h"
 #include "kernels/core/quantile.h"
 #include "kernels/outlines/circle_fit.h"
-#include "kernels/outlines/edge_split.h"
 
 namespace ilot {
 namespace {
 
-constexpr std::size_t kSlices = 24, kLeastSlices = 8;
-// Choice: mixed pixels at the jambs; of narrow openings a step or less.
-constexpr double kJamb = 0.04;  // share of the width that is left out at each jamb
-// Derived: a semicircle is 0.5 times its width high; the rest allows for stilted arches. Pointed arches are higher and
-// become straight.
+// Derived: a semicircle is 0.5 times its width high; the rest allows for stilted arches. Higher heads are pointed
+// (pointed_top.h) or become straight.
 constexpr double kHighest = 0.65;  // times the width: no arch is higher
 // Choice: the crown was found as the quantile of a flat top, which is lower by up to this.
 constexpr double kAbove = 0.2;  // metres above the known top that are searched
@@ -26,47 +23,10 @@ constexpr double kAbove = 0.2;  // metres above the known top that are searched
 constexpr double kOffCentre = 0.2;  // share of the width: an arch may be so far from the middle of its opening
 // Choice: three errors of an edge of 1 cm and some; flatter segments are drawn straight.
 constexpr double kLeastRise = 0.04;  // metres; flatter tops are straight
-// Choice: three steps of 2 cm; coarser scans keep few slices and no arch.
-constexpr double kMostArchGap = 0.06;  // metres; slices whose top is less exact are left out
-// Choice: mouldings around openings stand out less; deeper canopies hide the arch.
-constexpr double kSurround = 0.15;  // metres before the wall at which surrounds end
 // Choice: three errors of an edge of 1 cm.
 constexpr double kBesideArc = 0.03;  // metres beside the first arc in which points of the soffit lie
 constexpr std::size_t kLeastSoffit = 60;
-constexpr std::uint64_t kMostArchSamples = 1 << 17, kMostSoffit = 1 << 16;  // more points do not improve the result
-
-// Derived: 95 % of normal errors are within two standard deviations.
-constexpr double kBoundOfArc = 2;
-// Choice: half of a beam of 4 mm, as terrestrial scanners have at 10 m.
-constexpr double kBeamRadius = 0.002;  // metres
-
-struct Slice {
-  std::vector<double> below, above;
-};
-
-// Where slices or sectors end, and how exactly each of them shows it.
-struct Tops {
-  std::vector<PlanePoint> at;
-  double half_gap = 0;  // metres, the mean
-};
-
-void add_top(PlanePoint at, double half_gap, Tops& tops) {
-  tops.at.push_back(at);
-  tops.half_gap += (half_gap - tops.half_gap) / static_cast<double>(tops.at.size());
-}
-
-// Whether a ray meets the wall, the back of a joint between its stones, or a surround that stands out of the wall and
-// continues where the soffit ends. Such a ray does not go through. An element that stands out farther hides both the
-// opening and the wall above it.
-bool is_above(const RaySamples& samples, const Ray& ray) {
-  if (samples.in_joint(ray)) return true;
-  const RayOutcome met = samples.met(ray, 0, samples.site().epsilon);
-  return met == RayOutcome::solid || (met == RayOutcome::before && static_cast<double>(ray.at.w) < kSurround);
-}
-
-bool is_below(const RaySamples& samples, const Ray& ray) {
-  return !samples.in_joint(ray) && samples.met(ray, 0, samples.site().epsilon) == RayOutcome::through;
-}
+constexpr std::uint64_t kMostSoffit = 1 << 16;  // more points do not improve the result
 
 // The height of the upper half of a circle; NaN beside it.
 double height_at(const CircleFit& fit, double u) {
@@ -86,57 +46,31 @@ bool together(const CircleFit& a, const CircleFit& b, const Box2& opening) {
   return near(kEnd) && near(0.5) && near(1 - kEnd);
 }
 
-Tops tops_of_slices(const RaySamples& samples, const FoundRectangle& opening, const Box2& search) {
-  const FacadeSite& site = samples.site();
-  std::vector<Slice> slices(kSlices);
-  const double margin = kJamb * search.width(), width = (search.width() - 2 * margin) / kSlices;
-  Rays near = samples.near(search);
-  const int level = thinning_level(near, kMostArchSamples, [](const Ray&) { return true; });
-  for (const Ray& ray : near) {
-    if (!is_kept(ray, level)) continue;
-    const Place2 p = samples.crossing(ray, 0);
-    const double at = (p.u - search.u0 - margin) / width;
-    if (at < 0 || at >= kSlices || p.v < search.v0 || p.v > search.v1) continue;
-    if (is_below(samples, ray)) slices[static_cast<std::size_t>(at)].below.push_back(p.v);
-    if (is_above(samples, ray)) slices[static_cast<std::size_t>(at)].above.push_back(p.v);
-  }
-  Tops tops;
-  for (std::size_t s = 0; s < kSlices; ++s) {
-    const double u = opening.at(Side::left) + margin + (static_cast<double>(s) + 0.5) * width;
-    const EdgeSplit split = split_edge(slices[s].below, slices[s].above);
-    const double v = samples.oblique() ? split.at : split.at + split.half_gap - site.step / 2;
-    if (split.found && (!samples.oblique() || split.half_gap < kMostArchGap)) add_top({u, v}, split.half_gap, tops);
-  }
-  return tops;
-}
-
 // The tops across the arc, sector by sector: slices are inclined to the arc near the jambs.
-Tops tops_of_sectors(const RaySamples& samples, const Box2& search, const CircleFit& first) {
+HeadPlaces tops_of_sectors(const RaySamples& samples, const Box2& search, const CircleFit& first) {
   // Choice: the first arc may be off by two gaps of 4 cm.
   constexpr double kBeside = 0.08;  // metres
-  const FacadeSite& site = samples.site();
   const double half = std::min(search.width() / 2 / first.radius, 1.0);
-  const double from = degrees_of_cosine(half) + 4, width = (180 - 2 * from) / kSlices;
-  std::vector<Slice> sectors(kSlices);
+  const double from = degrees_of_cosine(half) + 4, width = (180 - 2 * from) / kHeadSlices;
+  std::vector<HeadSlice> sectors(kHeadSlices);
   Rays near = samples.near(search);
-  const int level = thinning_level(near, kMostArchSamples, [](const Ray&) { return true; });
+  const int level = thinning_level(near, kMostHeadSamples, [](const Ray&) { return true; });
   for (const Ray& ray : near) {
     const Place2 p = samples.crossing(ray, 0);
     const double x = p.u - first.centre.x, y = p.v - first.centre.y, r = std::sqrt(x * x + y * y);
     if (y <= 0 || std::abs(r - first.radius) > kBeside || !is_kept(ray, level)) continue;
     const double at = (direction_degrees(x, y) - from) / width;
-    if (at < 0 || at >= kSlices) continue;
-    if (is_below(samples, ray)) sectors[static_cast<std::size_t>(at)].below.push_back(r);
-    if (is_above(samples, ray)) sectors[static_cast<std::size_t>(at)].above.push_back(r);
+    if (at < 0 || at >= kHeadSlices) continue;
+    if (is_below_head(samples, ray)) sectors[static_cast<std::size_t>(at)].below.push_back(r);
+    if (is_above_head(samples, ray)) sectors[static_cast<std::size_t>(at)].above.push_back(r);
   }
-  Tops tops;
-  for (std::size_t s = 0; s < kSlices; ++s) {
-    const EdgeSplit split = split_edge(sectors[s].below, sectors[s].above);
-    if (!split.found || (samples.oblique() && split.half_gap > kMostArchGap)) continue;
-    const double r = samples.oblique() ? split.at : split.at + split.half_gap - site.step / 2;
+  HeadPlaces tops;
+  for (std::size_t s = 0; s < kHeadSlices; ++s) {
+    const HeadEnd end = end_of_slice(samples, sectors[s]);
+    if (!end.found) continue;
     const double angle = from + width * (static_cast<double>(s) + 0.5);
-    add_top({first.centre.x + r * cos_degrees(angle), first.centre.y + r * cos_degrees(angle - 90)}, split.half_gap,
-            tops);
+    tops.add({first.centre.x + end.at * cos_degrees(angle), first.centre.y + end.at * cos_degrees(angle - 90)},
+             end.half_gap);
   }
   return tops;
 }
@@ -181,7 +115,7 @@ std::optional<CircleFit> refined(const RaySamples& samples, const FoundRectangle
 }
 
 // The circle through the ends of slices, where they rise from both jambs to the middle.
-std::optional<CircleFit> arch_of(const FoundRectangle& opening, const Tops& tops, double most_misfit) {
+std::optional<CircleFit> arch_of(const FoundRectangle& opening, const HeadPlaces& tops, double most_misfit) {
   const double width = opening.at(Side::right) - opening.at(Side::left);
   double low = INFINITY, high = -INFINITY, mean = 0, level = 0;
   for (const PlanePoint& p : tops.at) {
@@ -204,18 +138,18 @@ FoundTop find_top(const RaySamples& samples, const FoundRectangle& opening, doub
   const Box2 search{opening.at(Side::left), opening.at(Side::right),
                     std::max(opening.at(Side::bottom) + 0.1, opening.at(Side::top) - kHighest * width),
                     opening.at(Side::top) + kAbove};
-  Tops tops = tops_of_slices(samples, opening, search);
-  if (tops.at.size() < kLeastSlices) return {};
+  HeadPlaces tops = tops_of_slices(samples, search);
+  if (tops.at.size() < kLeastHeadSlices) return {};
   FoundTop found;
   double squares = 0;
   for (const PlanePoint& p : tops.at) squares += (p.y - opening.at(Side::top)) * (p.y - opening.at(Side::top));
-  found.off = kBoundOfArc * std::sqrt(squares / static_cast<double>(tops.at.size()));
+  found.off = kBoundOfHead * std::sqrt(squares / static_cast<double>(tops.at.size()));
   const std::optional<CircleFit> arch = arch_of(opening, tops, most_misfit);
   if (!arch) return found;
   CircleFit fit = *arch;
   for (int round = 0; round < 2; ++round) {
-    Tops across = tops_of_sectors(samples, search, fit);
-    const CircleFit next = across.at.size() < kLeastSlices ? CircleFit{} : fit_circle(across.at);
+    HeadPlaces across = tops_of_sectors(samples, search, fit);
+    const CircleFit next = across.at.size() < kLeastHeadSlices ? CircleFit{} : fit_circle(across.at);
     if (next.found && together(next, fit, search)) fit = next, tops = std::move(across);
   }
   const std::optional<CircleFit> soffit = refined(samples, opening, search, fit);
@@ -225,9 +159,9 @@ FoundTop find_top(const RaySamples& samples, const FoundRectangle& opening, doub
   arc.radius = fit.radius;
   arc.rms = fit.rms;
   arc.points = tops.at.size();
-  arc.error = noise / 2 + fit.rms / std::sqrt(static_cast<double>(kLeastSlices));
+  arc.error = noise / 2 + fit.rms / std::sqrt(static_cast<double>(kLeastHeadSlices));
   // Arches are no exact circles: what the ends of the slices are off by belongs to the error of each place of the arc.
-  arc.off = kBoundOfArc * (fit.rms + noise) + (soffit ? 0 : tops.half_gap + kBeamRadius);
+  arc.off = kBoundOfHead * (fit.rms + noise) + (soffit ? 0 : tops.half_gap + kBeamRadius);
   found.arc = arc;
   return found;
 }

@@ -30,11 +30,11 @@ struct LocatedEdge {
   double error = 0;  // the true place is within this distance of `at` [Lorraine thesis, 4.3]
   DrawnStatus status = DrawnStatus::seen;
   std::uint64_t points = 0;
-  double form = 0;  // what its drawn form is off by, which is no error of measurement: pointed heads drawn level. Edges
-                    // are compared with each other by their error, and the larger of both is stated
-  double rms = 0;   // root mean square distance of these points to the edge
-  double moved = 0;      // distance by which regularisation moved it
-  double inner = 0;      // for an edge that is not seen: the last place that is known to be inside
+  double form = 0;   // what its drawn form is off by, which is no error of measurement: cut corners drawn level. Edges
+                     // are compared with each other by their error, and the larger of both is stated
+  double rms = 0;    // root mean square distance of these points to the edge
+  double moved = 0;  // distance by which regularisation moved it
+  double inner = 0;  // for an edge that is not seen: the last place that is known to be inside
   bool by_face = false;  // found from points on the side face itself: the reveal, the side of a sill
 };
 

@@ -7,6 +7,7 @@
 #include "engine/products/facades/openings/arched_top.h"
 #include "engine/products/facades/openings/leaning_side.h"
 #include "engine/products/facades/openings/panes.h"
+#include "engine/products/facades/openings/pointed_top.h"
 #include "engine/products/facades/openings/region_parts.h"
 #include "engine/products/facades/openings/shallow_openings.h"
 #include "engine/products/facades/openings/silent_holes.h"
@@ -264,6 +265,17 @@ void locate_sides(const RaySamples& samples, const WallCells& cells, const CellB
   }
 }
 
+void set_point(const FoundPoint& point, FoundRectangle& opening) {
+  opening.arc.reset();
+  opening.pointed = point.top;
+  LocatedEdge& crown = opening.side(Side::top);
+  crown = {point.crown, point.error};
+  crown.points = point.places;
+  crown.rms = point.rms;
+  crown.inner = crown.at;
+  crown.form = point.off;
+}
+
 // The holes that are no part of an opening.
 std::vector<UnseenArea> unseen_areas(const std::vector<WallHole>& holes, const std::vector<FoundRectangle>& found,
                                      const WallCells& cells) {
@@ -324,6 +336,7 @@ std::optional<FoundRectangle> opening_in(const RaySamples& samples, const WallCe
   } else {
     crown.form = top.off;
   }
+  if (const auto point = find_pointed_top(samples, opening, around.v1, params.arch_misfit)) set_point(*point, opening);
   return opening;
 }
 

@@ -31,6 +31,15 @@ struct TopArc {
   std::uint64_t points = 0;
 };
 
+// Two equal arcs, or two lines, that meet in the crown of an opening. Places are relative to the crown, so they follow
+// the sides of the opening.
+struct PointedTop {
+  double crown_u = 0;                      // metres from the middle between the jambs to the crown
+  double radius = 0;                       // metres, of both arcs; 0: lines
+  Place2 centre;                           // of the right arc, from the crown; the left one is its mirror image
+  double left_slope = 0, right_slope = 0;  // of the lines, dv / du
+};
+
 struct FoundRectangle {
   std::array<LocatedEdge, 4> sides;   // in the order of kSides
   double depth = 0, depth_error = 0;  // w of the surface in it; negative behind the wall
@@ -38,16 +47,25 @@ struct FoundRectangle {
   std::uint32_t plane = 0;            // id of the plane, for an element in front of the wall
   double fill = 1;                    // share of its cells that contain such rays or points
   std::optional<TopArc> arc;          // its top side is then the crown
+  std::optional<PointedTop> pointed;  // the same
   std::array<double, 4> lean{};       // tangents of its sides, as kSides; a leaning side has the place of its middle
   std::optional<Box2> end;            // its rectangle at its depth, where that differs from its own rectangle
   bool no_echo = false;               // an opening from which hardly any of the rays that crossed it came back
   double at(Side s) const { return sides[static_cast<std::size_t>(s)].at; }
   double lean_of(Side s) const { return lean[static_cast<std::size_t>(s)]; }
   bool leans() const { return lean != std::array<double, 4>{}; }
+  bool is_rectangle() const { return !arc && !pointed && !leans(); }
   double error(Side s) const { return sides[static_cast<std::size_t>(s)].error; }
   LocatedEdge& side(Side s) { return sides[static_cast<std::size_t>(s)]; }
   const LocatedEdge& side(Side s) const { return sides[static_cast<std::size_t>(s)]; }
   Box2 box() const { return {at(Side::left), at(Side::right), at(Side::bottom), at(Side::top)}; }
+  // The box around its corners; that of a leaning side is at its middle.
+  Box2 extent() const {
+    const Box2 b = box();
+    const auto beyond = [&](Side s, double length) { return std::abs(lean_of(s)) * length / 2; };
+    return {b.u0 - beyond(Side::left, b.height()), b.u1 + beyond(Side::right, b.height()),
+            b.v0 - beyond(Side::bottom, b.width()), b.v1 + beyond(Side::top, b.width())};
+  }
 };
 
 // How far behind the wall a ray must end that goes through it, in metres.

@@ -19,10 +19,6 @@ constexpr double kSideCovered = 0.8;  // share of each side of a window along wh
 // Choice: bars of 15 cm between panes of half a metre leave three fifths.
 constexpr double kPanesFill = 0.6;  // share of the window that its panes cover
 
-bool is_plain(const FoundRectangle& r) {
-  return !r.arc && !r.leans();
-}
-
 // The gap between two intervals; negative where they overlap.
 double gap_between(double low_a, double high_a, double low_b, double high_b) {
   return std::max(low_a, low_b) - std::min(high_a, high_b);
@@ -49,7 +45,7 @@ bool touch_at_bar(const FoundRectangle& a, const FoundRectangle& b, bool end_tog
   };
   const bool rows = 2 * -gap_between(p.v0, p.v1, q.v0, q.v1) >= std::min(p.height(), q.height());
   const bool columns = 2 * -gap_between(p.u0, p.u1, q.u0, q.u1) >= std::min(p.width(), q.width());
-  return is_plain(a) && is_plain(b) &&
+  return a.is_rectangle() && b.is_rectangle() &&
          ((rows && is_bar(p, q, true) && alike(Side::bottom, Side::top)) ||
           (columns && is_bar(p, q, false) && alike(Side::left, Side::right)));
 }
