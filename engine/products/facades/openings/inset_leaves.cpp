@@ -109,7 +109,7 @@ std::optional<ClosedPart> closed_part(const RaySamples& samples, const FoundRect
   const bool from_bottom = best <= at_end;
   if (best_end - best < kFewestSheetRows || share < (from_bottom ? kLeastOfHeight : kLeastBlind)) return std::nullopt;
   FoundRectangle sheet = opening;
-  sheet.arc.reset();
+  sheet.arc.reset(), sheet.pointed.reset();
   sheet.lean = {};
   std::vector<double> depths;
   sheet.points = 0;
@@ -121,7 +121,7 @@ std::optional<ClosedPart> closed_part(const RaySamples& samples, const FoundRect
     sheet.side(side).inner = sheet.at(side);
   };
   if (best > at_end) end_at(Side::bottom, best);
-  if (best_end + at_end < count || opening.arc) end_at(Side::top, best_end);
+  if (best_end + at_end < count || opening.arc || opening.pointed) end_at(Side::top, best_end);
   ClosedPart part{sheet, from_bottom, std::nullopt};
   std::vector<double> rest;
   for (std::size_t r = 0; r < count; ++r)

@@ -35,8 +35,16 @@ double area_in_common(const Box2& a, const Box2& b) {
   return std::max(0.0, overlap_of(a.u0, a.u1, b.u0, b.u1)) * std::max(0.0, overlap_of(a.v0, a.v1, b.v0, b.v1));
 }
 
-// The height of an arch over its jambs; 0 without one.
+// The height of an arch or a point over its jambs; 0 without one.
 double rise_of(const FoundRectangle& o) {
+  if (o.pointed) {
+    const double to = o.box().width() / 2 - o.pointed->crown_u, beside = to - o.pointed->centre.u;
+    const double radius = o.pointed->radius;
+    const double at_jamb = radius > 0
+                               ? o.pointed->centre.v + std::sqrt(std::max(0.0, radius * radius - beside * beside))
+                               : o.pointed->right_slope * to;
+    return std::max(0.0, -at_jamb);
+  }
   if (!o.arc) return 0;
   const double half = o.box().width() / 2, radius = o.arc->radius;
   return radius - std::sqrt(std::max(0.0, radius * radius - half * half));
@@ -183,9 +191,8 @@ FoundRectangle window_behind(const FlatPlate& plate, const FoundRectangle* like,
   complete(Side::bottom, q.v0), complete(Side::top, q.v1);
   const double rise = rise_of(*like), spring = window.at(Side::top);
   if (rise <= alike) return window;
-  window.arc = like->arc;
-  window.arc->error += alike;
-  set_arch(window, spring, rise);
+  window.arc = like->arc, window.pointed = like->pointed;
+  if (window.arc) window.arc->error += alike, set_arch(window, spring, rise);
   LocatedEdge& crown = window.side(Side::top);
   crown = {spring + rise, like->error(Side::top) + kHingeError + alike, DrawnStatus::completed};
   crown.inner = spring;
@@ -256,7 +263,7 @@ ClosedPlates closed_plates(const std::vector<FlatPlate>& plates, const std::vect
 // Sides of an opening that leaves hide in part are those of the leaves.
 void widen(const FlatPlate& plate, FoundRectangle& o) {
   for (const Side side : kSides) {
-    if (!plate.ends_at(side) || (side != Side::bottom && o.arc)) continue;
+    if (!plate.ends_at(side) || (side != Side::bottom && !o.is_rectangle())) continue;
     if (outwards(side) * (plate.shape.at(side) - o.at(side)) <= o.error(side)) continue;
     o.side(side) = plate.shape.side(side);
     o.side(side).error += kHingeError;

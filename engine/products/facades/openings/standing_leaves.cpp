@@ -143,7 +143,8 @@ bool are_pair(const RaySamples& samples, const StandingLeaf& a, const StandingLe
 // Widens an opening to the hinge of a leaf that hides its side; no result where they do not belong together.
 bool widen_to(const RaySamples& samples, const StandingLeaf& leaf, double alike, FoundRectangle& o) {
   const double within = alike + leaf.error + std::max(o.error(Side::top), o.error(Side::bottom));
-  const double top = o.arc ? o.at(Side::top) - o.arc->radius : o.at(Side::top);
+  // Leaves end where an arch begins, at most half of the width below its crown, or all of it below a point.
+  const double top = o.at(Side::top) - (o.pointed ? 1 : o.arc ? 0.5 : 0) * o.box().width();
   if (std::abs(leaf.low - o.at(Side::bottom)) > within || leaf.high > o.at(Side::top) + within ||
       leaf.high < top - within)
     return false;
