@@ -44,7 +44,7 @@ constexpr double kLevel = kLeastPoint / 4;  // metres within which three quarter
 // Choice: the first arcs may be off by two gaps of 4 cm, as round ones.
 constexpr double kBesidePoint = 0.08;  // metres
 
-struct Ends {
+struct FlankEnds {
   std::vector<PlanePoint> slices, rows;  // ends of upright slices and of level rows; u from the middle of the opening
   double half_gap = 0;
 };
@@ -202,7 +202,7 @@ HeadFit fit_lines(std::span<const PlanePoint> places) {
 }
 
 // The ends of level rows, in each half of the opening: where the head is steep they are more exact than slices.
-void add_rows(const RaySamples& samples, const Box2& search, double highest, Ends& ends) {
+void add_rows(const RaySamples& samples, const Box2& search, double highest, FlankEnds& ends) {
   const double middle = (search.u0 + search.u1) / 2, tall = (highest - search.v0) / kRows;
   std::vector<HeadSlice> rows(2 * kRows);
   Rays near = samples.near(search);
@@ -257,7 +257,7 @@ std::vector<PlanePoint> in_order(std::vector<PlanePoint> places) {
 }
 
 // The ends that show a head well: slices where it is flat, rows where it is steep. In the order of u.
-std::vector<PlanePoint> good_places(const Ends& ends, const HeadFit& fit) {
+std::vector<PlanePoint> good_places(const FlankEnds& ends, const HeadFit& fit) {
   std::vector<PlanePoint> places;
   for (const PlanePoint& p : ends.slices)
     if (!fit.found || slope_of(fit, p.x) <= kSteepForSlice) places.push_back(p);
@@ -267,7 +267,7 @@ std::vector<PlanePoint> good_places(const Ends& ends, const HeadFit& fit) {
 }
 
 // The ends that are no jambs: in the order of u.
-std::vector<PlanePoint> inner_places(const Ends& ends, double half) {
+std::vector<PlanePoint> inner_places(const FlankEnds& ends, double half) {
   std::vector<PlanePoint> places = ends.slices;
   for (const PlanePoint& p : ends.rows)
     if (std::abs(p.x) < (1 - 2 * kJamb) * half) places.push_back(p);
@@ -300,7 +300,7 @@ HeadFit trimmed(std::vector<PlanePoint> places, const Fitter& fitter, double noi
 }
 
 // `first`: the places of the first fit.
-HeadFit best_fit(const Ends& ends, std::vector<PlanePoint> first, const Fitter& fitter, double noise) {
+HeadFit best_fit(const FlankEnds& ends, std::vector<PlanePoint> first, const Fitter& fitter, double noise) {
   HeadFit fit = trimmed(std::move(first), fitter, noise);
   for (int round = 0; round < 2 && fit.found; ++round) fit = trimmed(good_places(ends, fit), fitter, noise);
   fit.found = fit.found && both_halves(fit.places, fit.top.crown_u);
@@ -342,7 +342,7 @@ std::optional<FoundPoint> find_pointed_top(const RaySamples& samples, const Foun
   if (!(search.v0 < highest)) return std::nullopt;
   const HeadPlaces tops = tops_of_slices(samples, search);
   if (tops.at.size() < kLeastHeadSlices || is_level(tops)) return std::nullopt;
-  Ends ends;
+  FlankEnds ends;
   ends.half_gap = tops.half_gap;
   for (const PlanePoint& p : tops.at) ends.slices.push_back({p.x - middle, p.y});
   add_rows(samples, search, highest, ends);
