@@ -29,7 +29,7 @@ double pointed_arch(double u, double springing, double radius) {
   return springing + std::sqrt(std::max(0.0, radius * radius - x * x));
 }
 
-double gable(double u, double crown_u, double crown, double left, double right) {
+double gable_head(double u, double crown_u, double crown, double left, double right) {
   return crown + (u < crown_u ? left : right) * (u - crown_u);
 }
 
@@ -72,7 +72,7 @@ TEST(PointedTop, ArchesFromLowToLancets) {
 }
 
 TEST(PointedTop, AGableWhoseRidgeIsNotInTheMiddle) {
-  const auto head = [](double u) { return gable(u, 2.4, 2.9, 0.9, -0.45); };
+  const auto head = [](double u) { return gable_head(u, 2.4, 2.9, 0.9, -0.45); };
   const FoundRectangle opening = only_opening(with_head(head));
   ASSERT_TRUE(opening.pointed);
   EXPECT_EQ(opening.pointed->radius, 0);
@@ -84,7 +84,7 @@ TEST(PointedTop, AGableWhoseRidgeIsNotInTheMiddle) {
 
 TEST(PointedTop, TheRingFollowsTheHead) {
   const auto arch = [](double u) { return pointed_arch(u, 2.2, 2 * kHeadHalf); };
-  const auto roof = [](double u) { return gable(u, kHeadMiddle, 2.9, 0.8, -0.8); };
+  const auto roof = [](double u) { return gable_head(u, kHeadMiddle, 2.9, 0.8, -0.8); };
   for (const std::function<double(double)>& head : {std::function<double(double)>(arch), {roof}}) {
     const FacadeSite site = with_head(head);
     EXPECT_LT(largest_gap(site, only_opening(site), head), 0.03);
