@@ -11,7 +11,6 @@
 #include "engine/deliverables/layers/streets_gpkg.h"
 #include "engine/deliverables/layers/trees_gpkg.h"
 #include "engine/model/point_label.h"
-#include "engine/products/streets/ground/cut_height.h"
 #include "engine/products/streets/ground/street_mask.h"
 #include "engine/products/streets/ground/structures.h"
 #include "engine/products/streets/ground/tiled_artefacts.h"
@@ -33,10 +32,6 @@ constexpr double kStepsOfGap = 5;          // pixels; least limit for the width 
 constexpr std::uint64_t kLeastPoints = 3;  // least number of points of an object [Hernandez and Marcotegui 2008, 5.3]
 // Choice: a person is lower; a trunk without points in the last 25 cm below its crown is taken for an object.
 constexpr double kTrunkShare = 0.9;  // of the height from which crowns are taken out
-// Choice: the foot of a lamppost and a person are narrower; a trunk with low branches is wider.
-constexpr double kWidestPost = 0.8;  // metres; length of what stands below a crown and is no part of it
-// Derived: more probable than all else together; a trunk is what stands below most crowns.
-constexpr double kProbable = 0.5;  // probability of its class
 // Choice: longer than a tram's car; what is longer is a wall, a fence or a hedge.
 constexpr double kLongestObject = 20;  // metres
 // Derived: a square of two pixels, the smallest that is no line.
@@ -138,16 +133,12 @@ Structure carried(const FoundStreet& street, const ObjectCandidate& candidate) {
   return static_cast<Structure>(structure.values[0]);
 }
 
-// The classes of candidates. Trunks are vegetation, and pillars are none, as they belong to a building. In the training
-// trunks are of class `other`; what is more probably a lamppost or a person than all else is none, also where it
-// reaches up to a crown.
+// The classes of candidates. Trunks are vegetation, and pillars are none, as they belong to a building.
 std::vector<CandidateClass> classes_without_trunks(const FoundStreet& street, std::vector<CandidateClass> classes) {
   for (std::size_t i = 0; i < classes.size(); ++i) {
     if (classes[i].label == PointLabel::car || !is_street_object(classes[i].label)) continue;
     const Structure above = carried(street, street.candidates[i]);
-    const bool is_free = classes[i].label != PointLabel::other && classes[i].probability >= kProbable &&
-                         street.candidates[i].length <= kWidestPost;
-    if (above == Structure::crown && !is_free) classes[i].label = PointLabel::vegetation;
+    if (above == Structure::crown) classes[i].label = PointLabel::vegetation;
     if (above == Structure::overhang) classes[i].label = PointLabel::none;
   }
   return classes;
@@ -192,16 +183,11 @@ FoundStreet find_street(const Store& store, const StreetsSettings& settings, con
   artefacts.highest_kerb = settings.advanced.highest_kerb;
   artefacts.least_plateau = settings.advanced.least_pavement;
   street.terrain = find_terrain(tiles.cells());
-  StructureParams structures;
-  const double share = street.view == StreetView::street ? height_share(tiles.cells(), structures.least_height) : 1;
-  structures.least_wall *= share;
-  StreetMaskParams mask;
-  mask.building_height *= share;
-  tiles.draw_heights(street.view, share);
-  find_structures(tiles.cells(), street.view, structures);
+  tiles.draw_heights(street.view);
+  find_structures(tiles.cells(), street.view);
   tiles.take_out_overhead();
   fill_ground_tiled(tiles.layers(), scale, ground_params(settings, scale));
-  find_street_mask(tiles.layers(), tiles.cells(), mask);
+  find_street_mask(tiles.layers(), tiles.cells());
   find_artefacts_tiled(tiles.layers(), scale, artefacts);
   put_on_terrain(tiles.layers(), tiles.cells(), artefacts.highest_kerb, artefacts.least_height);
   tiles.spread_level(artefacts.ring_reach);

@@ -81,20 +81,11 @@ Image spread(const Image& around, const Image& terrain, std::uint32_t reach) {
 
 // The form of a cell that was scanned from the street: what is upright in its pixels is a wall or a pole, whatever else
 // is in the cell, and nothing else is. `bins`: those of its pixels, row by row; `top`: the bin of its highest point.
-// `x`, `y`: the middle of the upright pixels, in parts of a pixel from the cell's corner.
-struct StreetForm {
-  StandingForm form = StandingForm::none;
-  Height x = 0, y = 0;
-};
-StreetForm street_form(StandingForm of_points, const HeightBins* bins, std::uint32_t factor, std::uint32_t top) {
-  std::uint32_t n = 0, x = 0, y = 0;
+StandingForm street_shape(StandingForm of_points, const HeightBins* bins, std::uint32_t factor, std::uint32_t top) {
   for (std::uint32_t v = 0; v < factor; ++v)
     for (std::uint32_t u = 0; u < factor; ++u)
-      if (is_upright(bins[v * kSide + u], {kFirstBin, top})) ++n, x += u, y += v;
-  if (n > 0)
-    return {StandingForm::upright, static_cast<Height>((2 * x + n) * kPartsOfPixel / (2 * n)),
-            static_cast<Height>((2 * y + n) * kPartsOfPixel / (2 * n))};
-  return {of_points == StandingForm::upright || of_points == StandingForm::pole ? StandingForm::inclined : of_points};
+      if (is_upright(bins[v * kSide + u], {kFirstBin, top})) return StandingForm::upright;
+  return of_points == StandingForm::upright || of_points == StandingForm::pole ? StandingForm::inclined : of_points;
 }
 
 // The number of points of a cell that `tenths` tenths of all cells do not exceed.
@@ -188,29 +179,26 @@ void StreetTiles::for_points(std::size_t tile, const Take& take) const {
 
 void StreetTiles::draw(std::size_t tile) {
   Image range = filled_image(kSide, kSide, kNoHeight), accumulation = filled_image(kSide, kSide, 0);
-  Image lowest = filled_image(cells_.side(), cells_.side(), kAboveAll),
-        highest = filled_image(cells_.side(), cells_.side(), kNoHeight);
+  Image lowest = filled_image(cells_.side(), cells_.side(), kAboveAll);
   std::uint64_t points = 0;
   for_points(tile, [&](std::size_t pixel, Height z) {
     range.values[pixel] = std::max(range.values[pixel], z);
     ++accumulation.values[pixel];
-    const std::size_t cell = cells_.cell_of(pixel, kSide);
-    lowest.values[cell] = std::min(lowest.values[cell], z);
-    highest.values[cell] = std::max(highest.values[cell], z);
+    Height& low = lowest.values[cells_.cell_of(pixel, kSide)];
+    low = std::min(low, z);
     ++points;
   });
   for (Height& v : lowest.values) v = v == kAboveAll ? kNoHeight : v;
   layers().write("range", tile, range);
   layers().write("accumulation", tile, accumulation);
   cells_.layers.write("lowest", tile, lowest);
-  cells_.layers.write("highest", tile, highest);
   context_.advance(points);
 }
 
-void StreetTiles::draw_heights(StreetView view, double height_share) const {
-  const Height clearance = raster().scale.units(kClearance), least = raster().scale.units(height_share * kLeastOfShape);
+void StreetTiles::draw_heights(StreetView view) const {
+  const Height clearance = raster().scale.units(kClearance), least = raster().scale.units(kLeastOfShape);
   const std::int64_t side = raster().pixel * cells_.factor;  // of a cell, in lattice units
-  const auto bin = static_cast<Height>(std::max(1, raster().scale.units(height_share * kBinOfShape)));
+  const auto bin = static_cast<Height>(std::max(1, raster().scale.units(kBinOfShape)));
   const std::vector<std::uint64_t> bytes(raster().grid.count(), kBytesOfHeights * kSide * kSide + kBytesOfStretch);
   run_tasks(raster().grid, bytes, [&](std::size_t tile) {
     const Image terrain = layer_tile(cells_.layers, "terrain", tile);
@@ -232,22 +220,19 @@ void StreetTiles::draw_heights(StreetView view, double height_share) const {
       clear.values[pixel] = std::max(clear.values[pixel], z);
       ++clear_points.values[pixel];
     });
-    Image shape = filled_image(cells_.side(), cells_.side(), 0), top = shape, upright_x = shape, upright_y = shape;
+    Image shape = filled_image(cells_.side(), cells_.side(), 0), top = shape;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const std::size_t first = (i / shape.width * kSide + i % shape.width) * cells_.factor;
-      StreetForm of{cells[i].shape(static_cast<double>(side))};
+      StandingForm of = cells[i].shape(static_cast<double>(side));
       if (view == StreetView::street)
-        of = street_form(of.form, bins.data() + first, cells_.factor,
-                         static_cast<std::uint32_t>(std::max(0, cells[i].top() / bin)));
-      shape.values[i] = static_cast<Height>(of.form);
-      upright_x.values[i] = of.x, upright_y.values[i] = of.y;
+        of = street_shape(of, bins.data() + first, cells_.factor,
+                          static_cast<std::uint32_t>(std::max(0, cells[i].top() / bin)));
+      shape.values[i] = static_cast<Height>(of);
       top.values[i] = cells[i].top();
     }
     layers().write("clear", tile, clear);
     layers().write("clear points", tile, clear_points);
     cells_.layers.write("shape", tile, shape);
-    cells_.layers.write("upright x", tile, upright_x);
-    cells_.layers.write("upright y", tile, upright_y);
     cells_.layers.write("top", tile, top);
   });
 }
@@ -265,8 +250,7 @@ void StreetTiles::take_out_overhead() const {
     layers().write("range", tile, range);
     layers().write("accumulation", tile, accumulation);
   });
-  for (const char* layer : {"clear", "clear points", "shape", "top", "highest", "upright x", "upright y"})
-    layers().drop(layer);
+  for (const char* layer : {"clear", "clear points", "shape", "top"}) layers().drop(layer);
 }
 
 double StreetTiles::mean_accumulation() const {

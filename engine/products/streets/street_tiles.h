@@ -51,8 +51,8 @@ TileRaster street_raster(const Store& store, const PassContext& context, double 
 class StreetTiles {
  public:
   // Plans the raster and the cells, for a density in points a square metre. Draws "range" and "accumulation" of pixels
-  // and "lowest" and "highest" of cells. Tiles without a point are absent. Throws Error where there are so many tiles
-  // that their pixels cannot be numbered (2^31 in one direction).
+  // and "lowest" of cells. Tiles without a point are absent. Throws Error where there are so many tiles that their
+  // pixels cannot be numbered (2^31 in one direction).
   StreetTiles(const Store& store, const PassContext& context, double pixel_metres, double density, SeeTile see = {});
 
   const TileRaster& raster() const { return tiles_.raster(); }
@@ -60,11 +60,9 @@ class StreetTiles {
 
   const Cells& cells() const { return cells_; }
 
-  // Reads "terrain". Writes "shape" (StandingForm), "top" (units above the terrain), "upright x" and "upright y" (the
-  // middle of the upright pixels, kPartsOfPixel) of cells, and for pixels "clear" and "clear points", the highest point
-  // below kClearance above the terrain and the number of points below it.
-  // Heights at which forms are looked at are multiplied by `height_share`, for clouds that are cut low.
-  void draw_heights(StreetView view, double height_share = 1) const;
+  // Reads "terrain". Writes "shape" (StandingForm) and "top" (units above the terrain) of cells, and for pixels "clear"
+  // and "clear points", the highest point below kClearance above the terrain and the number of points below it.
+  void draw_heights(StreetView view) const;
 
   // Takes crowns and overhangs out of the images: in cells with one (the layer "structure") "range" and "accumulation"
   // become those of the points below kClearance. Drops what draw_heights wrote.

@@ -8,9 +8,6 @@
 
 namespace ilot {
 
-// Choice: finer than the noise of any scan at the finest pixel.
-constexpr std::uint32_t kPartsOfPixel = 16;  // parts of a pixel in which the middle of upright pixels is given
-
 // The form of the points of a cell that are high above the terrain.
 enum class StandingForm : std::uint8_t {
   none = 0,      // too few points

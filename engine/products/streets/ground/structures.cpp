@@ -17,6 +17,9 @@ constexpr std::uint32_t kLeastWalls = 3;  // cells of a wall near what belongs t
 constexpr double kLeastOfLine = 4;  // upright cells of a line
 // Derived: a straight line aslant to the cells has up to 0.6; walls with niches have more.
 constexpr double kWidestLine = 0.8;  // cells; standard deviation across a line
+// Derived: two standard deviations of the widest line.
+constexpr double kFarthestOfLine = 2 * kWidestLine;  // cells
+constexpr std::uint32_t kLoneCells = 2;  // upright cells in a square of three; a post on the border of two cells
 // Choice: a balcony of 1.2 m before a wall covers less than half of the cells; a crown that touches a wall covers more.
 constexpr double kCrownShare = 0.57;  // of the cells around one before a wall
 
@@ -64,41 +67,19 @@ std::vector<double> box_sums(const std::vector<double>& own, std::size_t w, std:
 // Whether the upright cells around a cell lie on a line, and whether the cell itself does.
 enum class OnLine : std::uint8_t { no_line, beside, on };
 
-// What stands upright in cells: positions are those of the upright pixels of each cell.
-struct Uprights {
-  const Image& shape;
-  const Image& top;
-  const Image& x;
-  const Image& y;  // parts of a pixel from the corner of the cell
-  double cell;     // parts of a pixel along the side of a cell
-};
-
-std::array<double, 2> position_of(const Uprights& up, std::size_t i) {
-  return {up.cell * static_cast<double>(i % up.shape.width) + up.x.values[i],
-          up.cell * static_cast<double>(i / up.shape.width) + up.y.values[i]};
-}
-
-struct LineParams {
-  std::uint32_t reach;  // cells
-  double length;        // cells; a line is longer
-  Height least;
-  double free;  // cells; what stands farther from the line than this, and than two deviations of it, is beside it
-};
-
 // Looks for lines of at least four upright cells, longer than `length` cells. All sums are whole numbers.
-std::vector<OnLine> lines_of(const Uprights& up, const LineParams& params) {
-  const std::size_t w = up.shape.width, h = up.shape.height;
+std::vector<OnLine> lines_of(const Image& shape, const Image& top, std::uint32_t reach, double length, Height least) {
+  const std::size_t w = shape.width, h = shape.height;
   std::array<std::vector<double>, 6> sums;
   for (std::size_t k = 0; k < sums.size(); ++k) {
     std::vector<double> own(w * h, 0);
     for (std::size_t i = 0; i < own.size(); ++i) {
-      if (up.shape.values[i] != static_cast<Height>(StandingForm::upright) || up.top.values[i] < params.least) continue;
-      const auto [x, y] = position_of(up, i);
+      if (shape.values[i] != static_cast<Height>(StandingForm::upright) || top.values[i] < least) continue;
+      const auto x = static_cast<double>(i % w), y = static_cast<double>(i / w);
       own[i] = std::array{1.0, x, y, x * x, x * y, y * y}[k];
     }
-    sums[k] = box_sums(own, w, h, params.reach);
+    sums[k] = box_sums(own, w, h, reach);
   }
-  const double widest = kWidestLine * up.cell, length = params.length * up.cell;
   std::vector<OnLine> out(w * h, OnLine::no_line);
   for (std::size_t i = 0; i < out.size(); ++i) {
     const double n = sums[0][i];
@@ -106,13 +87,11 @@ std::vector<OnLine> lines_of(const Uprights& up, const LineParams& params) {
     const double x = sums[1][i] / n, y = sums[2][i] / n;
     const double xx = sums[3][i] / n - x * x, xy = sums[4][i] / n - x * y, yy = sums[5][i] / n - y * y;
     const double half = (xx + yy) / 2, root = std::sqrt((xx - yy) * (xx - yy) / 4 + xy * xy);
-    if (half - root > widest * widest || 12 * (half + root) < length * length) continue;
+    if (half - root > kWidestLine * kWidestLine || 12 * (half + root) < length * length) continue;
     // The squared distance from the line: the part of the offset from the middle that is across the line.
-    const auto [own_x, own_y] = position_of(up, i);
-    const double dx = own_x - x, dy = own_y - y;
+    const double dx = static_cast<double>(i % w) - x, dy = static_cast<double>(i / w) - y;
     const double across = ((half + root - xx) * dx * dx - 2 * xy * dx * dy + (half + root - yy) * dy * dy) / (2 * root);
-    const double free = params.free * up.cell;
-    out[i] = across <= std::max(free * free, 4 * (half - root)) ? OnLine::on : OnLine::beside;
+    out[i] = across <= kFarthestOfLine * kFarthestOfLine ? OnLine::on : OnLine::beside;
   }
   return out;
 }
@@ -152,34 +131,6 @@ void give_edges_to_roofs(Image& shape, const Image& top, Height least) {
     }
 }
 
-// The crowns that come near a wall. A crown is deeper than a balcony: somewhere cells of volumes fill most of the box
-// around a cell. From there it reaches over cells of volumes up to those that touch the wall. A balcony has no such
-// place.
-std::vector<std::uint8_t> crowns_of(const Image& shape, const Image& top, const Votes& votes, std::uint32_t reach,
-                                    Height least) {
-  const auto volume = static_cast<std::size_t>(StandingForm::volume);
-  const std::size_t w = shape.width, h = shape.height;
-  const double most = kCrownShare * (2 * reach + 1) * (2 * reach + 1);
-  std::vector<std::uint8_t> crown(shape.size(), 0), next;
-  const auto is_volume = [&](std::size_t i) {
-    return shape.values[i] == static_cast<Height>(volume) && top.values[i] >= least;
-  };
-  for (std::size_t i = 0; i < crown.size(); ++i) crown[i] = is_volume(i) && votes[volume][i] > most;
-  if (std::find(crown.begin(), crown.end(), 1) == crown.end()) return crown;
-  for (std::uint32_t step = 0; step < 2 * reach; ++step) {
-    next = crown;
-    for (std::size_t y = 1; y + 1 < h; ++y)
-      for (std::size_t x = 1; x + 1 < w; ++x) {
-        const std::size_t i = y * w + x;
-        if (crown[i] != 0 || !is_volume(i) || touches(shape, top, i, StandingForm::upright, least)) continue;
-        for (const std::size_t j : {i - w - 1, i - w, i - w + 1, i - 1, i + 1, i + w - 1, i + w, i + w + 1})
-          next[i] |= crown[j];
-      }
-    crown.swap(next);
-  }
-  return crown;
-}
-
 bool is_of_building(Structure s) {
   return s == Structure::wall || s == Structure::roof || s == Structure::overhang;
 }
@@ -209,22 +160,17 @@ class StructureFinder {
         reach_(std::max(2u, cells.scale.pixels(params.around))),
         line_reach_(std::max(2u, cells.scale.pixels(params.line / 2))),
         line_length_(params.line / 2 / cells.scale.pixel),
-        parts_of_cell_(static_cast<double>(cells.factor * kPartsOfPixel)),
         least_(cells.scale.units(params.least_height)),
         wall_(cells.scale.units(params.least_wall)) {}
 
   void find() {
     for_each_tile(layers_.grid, [&](std::size_t tile) { layers_.write("structure", tile, voted(tile)); },
-                  {120, halo()});
+                  {120, reach_ + line_reach_ + 1});
     drop_small_buildings();
   }
 
  private:
-  // What decides a cell: forms of a box around it, which are those of the lines around them, and crowns that reach it.
-  std::uint32_t halo() const { return 3 * reach_ + std::max(reach_, line_reach_) + 1; }
-
-  Structure verdict(const Image& shape, const Image& top, const Votes& votes, const std::vector<std::uint8_t>& in_crown,
-                    std::size_t i) const {
+  Structure verdict(const Image& shape, const Image& top, const Votes& votes, std::size_t i) const {
     const std::uint32_t walls = votes[static_cast<std::size_t>(StandingForm::upright)][i],
                         roofs = votes[static_cast<std::size_t>(StandingForm::inclined)][i],
                         crowns = votes[static_cast<std::size_t>(StandingForm::volume)][i] +
@@ -236,7 +182,6 @@ class StructureFinder {
       if (fixed && !is_post &&
           (top.values[i] < least_ || shape.values[i] == static_cast<Height>(StandingForm::upright)))
         return Structure::wall;
-      if (in_crown[i] != 0) return Structure::crown;
       if (fixed && !is_post) return Structure::overhang;
       if (top.values[i] < least_) return Structure::none;
       // What is high before a wall is a part of it, as a balcony is, unless it is a post or a crown fills most of the
@@ -255,55 +200,32 @@ class StructureFinder {
     return Structure::none;
   }
 
-  // Upright cells that belong to no wall become poles: they are on no line and no part of a corner or a niche, or they
-  // stand alone beside a line.
-  void part_posts(std::size_t tile, const Image& top, Image& shape) const {
-    const Image x = layer_around(layers_, "upright x", tile, halo()),
-                y = layer_around(layers_, "upright y", tile, halo()), drawn = shape;
-    const Uprights up{drawn, top, x, y, parts_of_cell_};
-    const std::vector<OnLine> lines =
-        lines_of(up, {line_reach_, line_length_, wall_, params_.free / cells_.scale.pixel});
-    const std::vector<std::uint16_t> near =
-        votes_of(shape, top, reach_, wall_)[static_cast<std::size_t>(StandingForm::upright)];
-    const std::uint32_t run = reach_ + 2, area = (2 * reach_ + 1) * (2 * reach_ + 1);
-    const auto is_upright_at = [&](std::size_t i) {
-      return drawn.values[i] == static_cast<Height>(StandingForm::upright);
-    };
-    const double free = params_.free / cells_.scale.pixel * parts_of_cell_;
-    // Whether all that is upright beside the line in the square of three around a cell is as thin as a post.
-    const auto is_thin = [&](std::size_t i) {
-      const std::size_t w = drawn.width;
-      const auto [own_x, own_y] = position_of(up, i);
-      for (const std::size_t j : {i - w - 1, i - w, i - w + 1, i - 1, i + 1, i + w - 1, i + w, i + w + 1}) {
-        if (!is_upright_at(j) || top.values[j] < wall_ || lines[j] != OnLine::beside) continue;
-        const auto [x_j, y_j] = position_of(up, j);
-        if (std::hypot(x_j - own_x, y_j - own_y) > free) return false;
-      }
-      return true;
-    };
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      if (!is_upright_at(i)) continue;
-      const bool is_post = lines[i] == OnLine::beside && is_thin(i);
-      const bool is_wall = lines[i] != OnLine::no_line || (near[i] >= run && 2 * near[i] <= area);
-      if (is_post || !is_wall) shape.values[i] = static_cast<Height>(StandingForm::pole);
-    }
-  }
-
   Image voted(std::size_t tile) const {
-    const std::uint32_t halo = this->halo();
+    const std::uint32_t halo = reach_ + line_reach_ + 1;
     Image shape = layer_around(layers_, "shape", tile, halo);
     const Image top = layer_around(layers_, "top", tile, halo);
-    if (view_ == StreetView::street) part_posts(tile, top, shape);
+    if (view_ == StreetView::street) {
+      const std::vector<OnLine> lines = lines_of(shape, top, line_reach_, line_length_, wall_);
+      const std::vector<std::uint16_t> near =
+          votes_of(shape, top, reach_, wall_)[static_cast<std::size_t>(StandingForm::upright)];
+      const std::uint32_t run = reach_ + 2, area = (2 * reach_ + 1) * (2 * reach_ + 1);
+      const std::vector<std::uint16_t> beside =
+          votes_of(shape, top, 1, wall_)[static_cast<std::size_t>(StandingForm::upright)];
+      const auto is_wall = [&](std::size_t i) {
+        if (lines[i] == OnLine::beside && beside[i] <= kLoneCells) return false;  // a post before a wall
+        return lines[i] != OnLine::no_line || (near[i] >= run && 2 * near[i] <= area);
+      };
+      for (std::size_t i = 0; i < lines.size(); ++i)
+        if (shape.values[i] == static_cast<Height>(StandingForm::upright) && !is_wall(i))
+          shape.values[i] = static_cast<Height>(StandingForm::pole);
+    }
     if (view_ == StreetView::air) give_edges_to_roofs(shape, top, least_);
     const Votes votes = votes_of(shape, top, reach_, wall_);
-    const std::vector<std::uint8_t> in_crown = view_ == StreetView::street
-                                                   ? crowns_of(shape, top, votes, reach_, least_)
-                                                   : std::vector<std::uint8_t>(shape.size(), 0);
     Image out = without_halo(shape, halo);
     for (std::uint32_t y = 0; y < out.height; ++y)
       for (std::uint32_t x = 0; x < out.width; ++x) {
         const std::size_t i = (std::size_t{y} + halo) * shape.width + x + halo;
-        const Structure s = top.values[i] >= wall_ ? verdict(shape, top, votes, in_crown, i) : Structure::none;
+        const Structure s = top.values[i] >= wall_ ? verdict(shape, top, votes, i) : Structure::none;
         out.values[std::size_t{y} * out.width + x] = static_cast<Height>(s);
       }
     return out;
@@ -358,8 +280,7 @@ class StructureFinder {
   const StructureParams& params_;
   StreetView view_;
   std::uint32_t reach_, line_reach_;
-  double line_length_;    // cells
-  double parts_of_cell_;  // of a pixel, along the side of a cell
+  double line_length_;  // cells
   Height least_, wall_;
 };
 

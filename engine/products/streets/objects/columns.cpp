@@ -9,6 +9,8 @@
 namespace ilot {
 namespace {
 
+constexpr std::int64_t kTouching = 2;  // pixels: the sampling step
+
 // Connected pixels, and the bins in which any of them has a point.
 struct Group {
   std::vector<std::size_t> pixels;
@@ -62,9 +64,8 @@ class Columns {
       group.bins |= bins[p] & wanted;
       group.x0 = std::min(group.x0, x), group.x1 = std::max(group.x1, x);
       group.y0 = std::min(group.y0, y), group.y1 = std::max(group.y1, y);
-      for (std::int64_t v = std::max<std::int64_t>(0, y - kSamplingStep); v <= std::min(h - 1, y + kSamplingStep); ++v)
-        for (std::int64_t u = std::max<std::int64_t>(0, x - kSamplingStep); u <= std::min(w - 1, x + kSamplingStep);
-             ++u) {
+      for (std::int64_t v = std::max<std::int64_t>(0, y - kTouching); v <= std::min(h - 1, y + kTouching); ++v)
+        for (std::int64_t u = std::max<std::int64_t>(0, x - kTouching); u <= std::min(w - 1, x + kTouching); ++u) {
           const auto q = static_cast<std::size_t>(v * w + u);
           if ((bins[q] & bins[p] & wanted) != 0 && taken.insert(q).second) group.pixels.push_back(q);
         }

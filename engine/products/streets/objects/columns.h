@@ -2,7 +2,6 @@
 // Internal to find_object_candidates: columns (thin upright regions that stand free), cut out of the parts that contain
 // them.
 #pragma once
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -11,9 +10,6 @@
 #include "kernels/rasters/occupancy.h"
 
 namespace ilot {
-
-// Derived: a pixel is half of the sampling step (docs/streets.md).
-constexpr std::int64_t kSamplingStep = 2;  // pixels; points of one surface are no farther apart
 
 // Finds columns by isolation [the isolation of Cabo et al. 2014, ISPRS J. 87]. Around some pixels there is a ring that
 // begins at `widest` and is `apart` wide. If this ring is empty over a run of bins of at least `least_run`, then the

@@ -8,7 +8,6 @@
 #include "engine/products/streets/objects/columns.h"
 #include "engine/products/streets/objects/part_contacts.h"
 #include "engine/products/streets/objects/part_joins.h"
-#include "engine/products/streets/objects/thin_parts.h"
 #include "kernels/rasters/gradient.h"
 
 namespace ilot {
@@ -77,7 +76,6 @@ ComponentCandidates candidates_of_component(const Patch& patch, std::uint32_t co
   images.slope = gradient(images.own, Adjacency::eight);
   const std::vector<Occupancy> occupancy = occupancy_of(images);
   ComponentCandidates out{separate_artefacts(images.own, scale, params.separation), {}};
-  add_thin_parts(images.own, occupancy, scale, params.columns, out.labels);
   const std::uint32_t least = scale.area(params.separation.least_area);
   const std::vector<ColumnCut> cuts =
       cut_columns(columns_of(occupancy, out.labels.width, out.labels.height, scale, params.columns), least, out.labels);

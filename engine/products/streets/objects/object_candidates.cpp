@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "engine/products/streets/objects/component_candidates.h"
-#include "engine/products/streets/objects/thin_parts.h"
 #include "kernels/morphology/flat_zones_tiled.h"
 #include "kernels/rasters/box_minimum.h"
 
@@ -47,13 +46,11 @@ struct Seen {
   std::size_t tile = 0;
   std::uint64_t pixels = 0;
   PixelRect box;
-  Occupancy bins = 0;  // heights with a point
 };
 
 struct Components {
   std::vector<std::uint64_t> pixels;
   std::vector<PixelRect> boxes;
-  std::vector<Occupancy> bins;
 };
 
 std::uint64_t area_of(const PixelRect& box) {
@@ -75,7 +72,6 @@ void cut_largest(const TileLayers& layers, std::vector<Seen> seen, Components& f
     new_numbers[s.tile][s.component] = static_cast<std::uint32_t>(found.pixels.size());
     found.pixels.push_back(s.pixels);
     found.boxes.push_back(s.box);
-    found.bins.push_back(s.bins);
   }
   for (const auto& [tile, numbers] : new_numbers) {
     Image image = layer_tile(layers, "components", tile);
@@ -98,7 +94,7 @@ Components find_components(const TileLayers& layers, std::uint32_t reach) {
   };
   const auto write = [&](std::size_t tile, const PixelLabels& labels) {
     const TileFrame frame = tile_frame(layers.grid, tile);
-    const Image height = layer_tile(layers, "standing", tile), occupancy = layer_tile(layers, "occupancy", tile);
+    const Image height = layer_tile(layers, "standing", tile);
     std::vector<Seen> runs;  // one entry per run of a row
     Image image{labels.width, labels.height, std::vector<Height>(labels.of.size(), 0)};
     for (std::uint32_t y = 0; y < labels.height; ++y) {
@@ -106,9 +102,8 @@ Components find_components(const TileLayers& layers, std::uint32_t reach) {
         const std::size_t i = std::size_t{y} * labels.width + x;
         if (height.values[i] == kNoHeight) continue;
         image.values[i] = static_cast<Height>(labels.of[i]);
-        if (x == 0 || image.values[i - 1] != image.values[i]) runs.push_back({labels.of[i], tile, 0, {}, 0});
+        if (x == 0 || image.values[i - 1] != image.values[i]) runs.push_back({labels.of[i], tile, 0, {}});
         ++runs.back().pixels;
-        runs.back().bins |= static_cast<Occupancy>(occupancy.values[i]);
         runs.back().box.add(std::int64_t{frame.x} + x, std::int64_t{frame.y} + y);
       }
     }
@@ -116,9 +111,8 @@ Components find_components(const TileLayers& layers, std::uint32_t reach) {
     std::stable_sort(runs.begin(), runs.end(), [](const Seen& a, const Seen& b) { return a.component < b.component; });
     std::vector<Seen> here;
     for (const Seen& run : runs) {
-      if (here.empty() || here.back().component != run.component) here.push_back({run.component, tile, 0, {}, 0});
+      if (here.empty() || here.back().component != run.component) here.push_back({run.component, tile, 0, {}});
       here.back().pixels += run.pixels;
-      here.back().bins |= run.bins;
       here.back().box.add(run.box);
     }
     const std::lock_guard lock(mutex);
@@ -127,10 +121,8 @@ Components find_components(const TileLayers& layers, std::uint32_t reach) {
   const ZoneSizes sizes = flat_zones_tiled(layers.grid, 0, Adjacency::eight, standing, write);
   found.pixels.resize(sizes.pixels.size(), 0);
   found.boxes.resize(sizes.pixels.size());
-  found.bins.resize(sizes.pixels.size(), 0);
   for (const Seen& s : seen) {
     found.pixels[s.component] += s.pixels;
-    found.bins[s.component] |= s.bins;
     found.boxes[s.component].add(s.box);
   }
   cut_largest(layers, std::move(seen), found);
@@ -187,10 +179,8 @@ class CandidateFinder {
     }
   }
 
-  // Whether a component covers the least area of an object, or is thin and upright.
   bool large_enough(std::uint32_t component) const {
-    return components_.pixels[component] >= std::max(1u, scale_.area(params_.separation.least_area)) ||
-           (components_.pixels[component] > 0 && stands_upright(components_.bins[component], scale_, params_.columns));
+    return components_.pixels[component] >= std::max(1u, scale_.area(params_.separation.least_area));
   }
 
   // Returns by tile the components that lie in one tile. The others are recorded in spanning_.

@@ -67,12 +67,11 @@ struct ObjectCandidateParams {
 };
 
 // Separates objects that touch [Hernandez and Marcotegui 2008, 5.1] and describes them [Hernandez and Marcotegui 2008,
-// 5.2]. Reads the layers "height", "range", "accumulation", "above" (points above the ground), "low" (those lower than
-// low_height) and "occupancy". Writes the layer "candidates": numbers from 1 in the order of the first pixels of the
-// components, and within a component as separate_artefacts numbers them and then thin parts and columns; 0 = none. Each
-// pixel is the same as if separate_artefacts worked on the whole image. Accumulation and heights are computed over the
-// pixels with points, the area over all pixels. A component is processed as a whole: memory is some 80 bytes per pixel
-// of its box.
+// 5.2]. Reads the layers "height", "range", "accumulation", "above" (points above the ground) and "low" (those lower
+// than low_height). Writes the layer "candidates": numbers from 1 in the order of the first pixels of the components,
+// and within a component as separate_artefacts numbers them; 0 = none. Each pixel is the same as if separate_artefacts
+// worked on the whole image. Accumulation and heights are computed over the pixels with points, the area over all
+// pixels. A component is processed as a whole: memory is some 80 bytes per pixel of its box.
 //
 // Our additions: heights farther than seen_within from every point are left out, because links of the ground over
 // shadows climb to the objects at their ends and would join them. A watershed also splits single objects, such as a

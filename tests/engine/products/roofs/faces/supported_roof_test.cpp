@@ -19,13 +19,13 @@ std::vector<Vec3> beyond_the_end(const std::function<double(double, double)>& he
   return points;
 }
 
-double gable(double, double y) {
+double gable_roof(double, double y) {
   return 4 + std::min(y, 6 - y);
 }
 
 TEST(SupportedRoof, PointsBesideTheOutlineOnItsPlanesAreTaken) {
-  RoofSite site = test::roof_site(12, 6, gable);
-  site.beside = beyond_the_end(gable);
+  RoofSite site = test::roof_site(12, 6, gable_roof);
+  site.beside = beyond_the_end(gable_roof);
   const SupportedRoof roof = supported_roof(site, {});
   EXPECT_EQ(roof.planes.planes.size(), 2u);
   EXPECT_GT(roof.beside.size(), 190u);
@@ -34,7 +34,7 @@ TEST(SupportedRoof, PointsBesideTheOutlineOnItsPlanesAreTaken) {
 }
 
 TEST(SupportedRoof, TheRoofOfANeighbourIsNot) {
-  RoofSite site = test::roof_site(12, 6, gable);
+  RoofSite site = test::roof_site(12, 6, gable_roof);
   site.beside = beyond_the_end([](double, double) { return 11.0; });
   const SupportedRoof roof = supported_roof(site, {});
   EXPECT_EQ(roof.planes.planes.size(), 2u);

@@ -23,9 +23,6 @@ struct CellScene {
     test::MemoryLayers memory({kCellsWide, kCellsHigh, side});
     memory.put("shape", shape);
     memory.put("top", top);
-    const auto middle = static_cast<Height>(kPartsOfPixel / 2);  // a cell is a pixel
-    for (const char* layer : {"upright x", "upright y"})
-      memory.put(layer, filled_image(kCellsWide, kCellsHigh, middle));
     find_structures({1, {0.001, 0.4}, memory.layers}, view);
     return memory.whole("structure");
   }
@@ -72,30 +69,6 @@ TEST(Structures, BelowABalconyAndAroundAPostIsTheStreet) {
   EXPECT_EQ(at(found, 42, 14), Structure::none);
   EXPECT_EQ(at(from_above, 42, 10), Structure::wall);
   EXPECT_EQ(at(from_above, 42, 11), Structure::roof) << "from above it is a roof of the building";
-}
-
-TEST(Structures, APostCloseToAWallIsNoPartOfIt) {
-  CellScene scene;
-  scene.add({5, 10, 60, 1}, StandingForm::upright, 9000);  // a wall
-  scene.add({30, 11, 1, 1}, StandingForm::upright, 6000);  // a post, 0.4 m before it
-  scene.add({50, 11, 1, 5}, StandingForm::upright, 9000);  // a wall that leaves it
-  const Image found = scene.structure(60, StreetView::street);
-  EXPECT_EQ(at(found, 30, 11), Structure::none);
-  EXPECT_EQ(at(found, 30, 10), Structure::wall);
-  for (std::size_t y = 11; y < 15; ++y) EXPECT_EQ(at(found, 50, y), Structure::wall) << y;
-}
-
-TEST(Structures, ACrownThatTouchesAWallIsNoOverhang) {
-  CellScene scene;
-  scene.add({5, 10, 60, 1}, StandingForm::upright, 9000);   // a wall
-  scene.add({20, 11, 14, 14}, StandingForm::volume, 7000);  // a crown
-  scene.add({45, 11, 8, 3}, StandingForm::volume, 4000);    // a balcony with plants
-  for (const std::uint32_t side : {16u, 100u}) {
-    const Image found = scene.structure(side, StreetView::street);
-    for (std::size_t y = 12; y < 24; ++y) EXPECT_EQ(at(found, 26, y), Structure::crown) << y;
-    for (std::size_t y = 11; y < 14; ++y) EXPECT_EQ(at(found, 48, y), Structure::overhang) << y;
-    EXPECT_EQ(at(found, 26, 10), Structure::wall);
-  }
 }
 
 TEST(Structures, AShedIsNoHouseFromTheAir) {
