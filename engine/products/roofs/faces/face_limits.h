@@ -24,8 +24,8 @@ double most_overshoot(const RoofPlane& plane, const FaceLimits& limits);
 // not.
 double too_high(const RoofPlane& plane, FlatPoint at, const FaceLimits& limits);
 
-// Returns by how many metres a face is lower than it may be; 0 or less where it is not. A face may fall to a storey below
-// the ground, and as far below its lowest point as it may rise above its highest one.
+// Returns by how many metres a face is lower than it may be; 0 or less where it is not. A face may fall to a storey
+// below the ground, and as far below its lowest point as it may rise above its highest one.
 double too_low(const RoofPlane& plane, FlatPoint at, const FaceLimits& limits);
 
 // Returns the numbers of the planes (from 0, ascending) that are too low at a corner of a cell with their label.
