@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/products/facades/openings/inset_leaves.h"
+#include "engine/products/facades/leaves/inset_leaves.h"
 
 #include <algorithm>
 #include <cmath>

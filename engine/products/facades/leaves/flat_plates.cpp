@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/products/facades/openings/flat_plates.h"
+#include "engine/products/facades/leaves/flat_plates.h"
 
 #include <algorithm>
 #include <array>

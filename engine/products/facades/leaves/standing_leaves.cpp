@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/products/facades/openings/standing_leaves.h"
+#include "engine/products/facades/leaves/standing_leaves.h"
 
 #include <algorithm>
 #include <cmath>

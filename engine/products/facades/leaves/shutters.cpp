@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/products/facades/openings/shutters.h"
+#include "engine/products/facades/leaves/shutters.h"
 
 #include <algorithm>
 #include <array>

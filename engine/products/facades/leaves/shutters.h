@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/products/facades/openings/flat_plates.h"
+#include "engine/products/facades/leaves/flat_plates.h"
 #include "engine/products/facades/openings/openings.h"
 
 namespace ilot {
