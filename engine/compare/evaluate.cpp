@@ -312,7 +312,8 @@ Evaluation evaluate(const fs::path& result, const Truth& truth, const EvaluatePa
   evaluate_street(files, counts, truth, evaluation);
   evaluate_street_map(files, counts, truth, evaluation);
   const bool any_result = evaluation.confusion || evaluation.planes || evaluation.control_points ||
-                          evaluation.openings || evaluation.roofs || evaluation.objects;
+                          evaluation.openings || evaluation.roofs || evaluation.objects || evaluation.trees ||
+                          evaluation.kerbs;
   if (!any_result)
     throw Error(result.string() + ": nothing to judge: no extra bytes true_plane or true_class beside '" +
                 params.found_field + "', no models that the truth knows; run ilot on the scanned cloud itself");

@@ -197,12 +197,17 @@ class Labeller {
 
 std::vector<std::string> labelled_names(const std::vector<std::unique_ptr<PointReader>>& inputs) {
   std::map<std::string, int> stems;
-  for (const auto& input : inputs) ++stems[cloud_stem(input->info().path)];
+  for (const auto& input : inputs)
+    if (!is_in_memory(input->info())) ++stems[cloud_stem(input->info().path)];
   std::set<std::string> used;
   for (const auto& [stem, count] : stems)
     if (count == 1) used.insert(stem);
   std::vector<std::string> names;
   for (const auto& input : inputs) {
+    if (is_in_memory(input->info())) {  // called as the cloud, in whose name a dot is nothing special
+      names.push_back(input->info().path.string() + kNpyExtension);
+      continue;
+    }
     const fs::path path = fs::absolute(input->info().path);
     std::string name = cloud_stem(path);
     if (stems[name] > 1) {
@@ -210,7 +215,7 @@ std::vector<std::string> labelled_names(const std::vector<std::unique_ptr<PointR
       name = base;
       for (int n = 2; !used.insert(name).second; ++n) name = base + "_" + std::to_string(n);
     }
-    names.push_back(name + (is_in_memory(input->info()) ? kNpyExtension : kCloudExtension));
+    names.push_back(name + kCloudExtension);
   }
   return names;
 }

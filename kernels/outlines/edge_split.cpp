@@ -68,9 +68,13 @@ EdgeRange edge_range(std::span<const double> below, std::span<const double> abov
   ends.push_back(to);
   const double least = *std::min_element(wrong.begin(), wrong.end());
   const double chance = std::min(0.5, (least + 1) / (static_cast<double>(samples.size()) + 2));
+  // Powers by multiplication: those of the library differ between machines.
+  std::vector<double> likely{1};
+  const double most = *std::max_element(wrong.begin(), wrong.end()) - least;
+  while (static_cast<double>(likely.size()) <= most) likely.push_back(likely.back() * (chance / (1 - chance)));
   std::vector<double> weights;
   for (std::size_t i = 0; i < wrong.size(); ++i)
-    weights.push_back((ends[i + 1] - ends[i]) * std::pow(chance / (1 - chance), wrong[i] - least));
+    weights.push_back((ends[i + 1] - ends[i]) * likely[static_cast<std::size_t>(wrong[i] - least)]);
   return {place_of_share(ends, weights, kTail), place_of_share(ends, weights, 1 - kTail)};
 }
 

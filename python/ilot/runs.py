@@ -42,7 +42,10 @@ def _setting_text(value: Any) -> str:
     if value is None:
         return "auto"
     if hasattr(value, "tolist"):
-        value = value.tolist()
+        listed = value.tolist()
+        if not isinstance(listed, (bool, list)):
+            return str(value)  # in the digits of its own precision
+        value = listed
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, (list, tuple)):

@@ -218,7 +218,15 @@ class Package(unittest.TestCase):
                              (ilot.Cloud(x, y, z, name="a/b"), "no name"), (ilot.Cloud(x * 1e6, y, z), "2^31"),
                              (ilot.Cloud(x, y, z, crs="EPSG:1"), "EPSG:1"), (ilot.Cloud(*[np.array([])] * 3), "no points")):
             self.refused(words, ilot.run, cloud, there)
+        twice = [ilot.Cloud(x, y, z, name="same"), ilot.Cloud(x, y, z, name="same")]
+        self.refused('two clouds in memory are called "same"', ilot.run, twice, there)
         self.assertFalse(there.exists())
+
+    def test_labels_are_called_as_their_cloud(self):
+        clouds = [ilot.Cloud(*self.places, name="650.6860"), ilot.Cloud(*self.places, name="650.6870")]
+        result = ilot.run(clouds, self.folder / "dots", report=False)
+        self.assertEqual(sorted(str(c) for c in result.clouds), ["points/650.6860.npy", "points/650.6870.npy"])
+        self.assertEqual(sorted(ilot.read_labels(result.folder)), ["650.6860", "650.6870"])
 
     def test_a_cloud_that_changed_is_not_resumed(self):
         def stop(stage, *_):

@@ -57,10 +57,10 @@ std::optional<std::pair<std::size_t, OnLine>> nearest(const Lines& lines, const 
 
 KerbSight::KerbSight(std::span<const TrueKerb> kerbs, double metres_per_unit) : metres_(metres_per_unit) {
   for (const TrueKerb& kerb : kerbs)
-    for_places(kerb.line, metres_, [&](const OnLine& on, double, Vec3 d) {
+    for_places(kerb.line, metres_, [&](const OnLine& on, double metres, Vec3 d) {
       const double length = std::max(1e-12, std::hypot(d.x, d.y));
       grid_[cell_of(on.at.x, on.at.y)].push_back(places_.size());
-      places_.push_back({on.at, d.x / length, d.y / length, kerb.height_m});
+      places_.push_back({on.at, metres, d.x / length, d.y / length, kerb.height_m});
     });
 }
 
@@ -95,11 +95,11 @@ KerbResult evaluate_kerbs(const KerbSight& sight, std::span<const TrueKerb> trut
   std::vector<double> plan, height, elevation;
   for (const KerbSight::Place& place : sight.places()) {
     if (!place.is_seen()) {
-      result.unseen_m += kStep;
+      result.unseen_m += place.length_m;
       continue;
     }
-    result.true_m += kStep;
-    complete += nearest(found, seen_line, place.at, metres_per_unit) ? kStep : 0;
+    result.true_m += place.length_m;
+    complete += nearest(found, seen_line, place.at, metres_per_unit) ? place.length_m : 0;
   }
   for (const StreetKerb& kerb : found)
     for_places(kerb.line, metres_per_unit, [&](const OnLine& on, double length, Vec3) {

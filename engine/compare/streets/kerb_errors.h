@@ -21,7 +21,8 @@ class KerbSight {
   void add(Vec3 p);
 
   struct Place {
-    Vec3 at;  // CRS
+    Vec3 at;              // CRS
+    double length_m = 0;  // of the kerb that it stands for
     double along_x = 1, along_y = 0;
     double height_m = 0;                // of the step
     std::uint64_t left = 0, right = 0;  // points on both sides

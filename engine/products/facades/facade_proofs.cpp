@@ -5,7 +5,9 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "engine/pass/pass.h"
 #include "engine/pass/resident.h"
@@ -113,15 +115,34 @@ void count_points(const FacadeWork& work, std::span<const WallGroup> walls, std:
   for (std::size_t i = 0; i < found.size(); ++i) proofs[i].write(tallies[i], found[i].facade);
 }
 
-// An edge of an opening or of the outline along which no point lies at all was not seen, whatever the rays farther off
-// let expect.
-void mark_bare_edges(FoundFacade& found) {
+// The sides of an element: its edges, but the chords of a head between the two jambs are one side.
+std::vector<std::span<FacadeEdge>> sides_of(FacadeElement& e) {
+  const std::span<FacadeEdge> edges(e.edges);
+  std::vector<std::span<FacadeEdge>> sides;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const bool head = e.opening && edges.size() > 4 && i == 2;
+    sides.push_back(edges.subspan(i, head ? edges.size() - 3 : 1));
+    i += sides.back().size() - 1;
+  }
+  return sides;
+}
+
+}  // namespace
+
+void mark_bare_sides(FoundFacade& found, double reach) {
   for (FacadeElement& e : found.facade.elements) {
     if ((!e.opening && e.kind != "outline") || e.status != DrawnStatus::seen) continue;
     std::size_t bare = 0, seen = 0;
-    for (FacadeEdge& edge : e.edges) {
-      if (edge.status == DrawnStatus::seen && edge.points == 0) edge.status = DrawnStatus::occluded, ++bare;
-      seen += edge.status != DrawnStatus::occluded;
+    for (const std::span<FacadeEdge> side : sides_of(e)) {
+      const auto has_points = [](const FacadeEdge& edge) { return edge.points > 0; };
+      if (side.front().status == DrawnStatus::seen && std::none_of(side.begin(), side.end(), has_points)) {
+        for (FacadeEdge& edge : side) {
+          edge.status = DrawnStatus::occluded;
+          edge.error_m = std::max(edge.error_m, reach);
+        }
+        ++bare;
+      }
+      seen += side.front().status != DrawnStatus::occluded;
     }
     if (bare == 0) continue;
     found.occluded_edges += bare;
@@ -130,12 +151,11 @@ void mark_bare_edges(FoundFacade& found) {
   }
 }
 
-}  // namespace
-
 void prove_facades(const FacadeWork& work, std::span<const WallGroup> walls, std::span<const Outline> outlines,
                    std::vector<FoundFacade>& found, const PassContext& context) {
   count_points(work, walls, found, context);
-  for (FoundFacade& f : found) mark_bare_edges(f);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    mark_bare_sides(found[i], proof_params(walls[i], work.metres_per_unit).edge_reach_m);
   if (work.stations.empty()) return;
   trim_memory();
   const LineOfSight sight = LineOfSight::past([&](const std::function<void(const SectionFace&)>& visit) {

@@ -16,4 +16,9 @@ namespace ilot {
 void prove_facades(const FacadeWork& work, std::span<const WallGroup> walls, std::span<const Outline> outlines,
                    std::vector<FoundFacade>& found, const PassContext& context);
 
+// A side of an opening or of the outline along which no point lies at all was not seen, whatever the rays farther off
+// let expect: its edges become `occluded`. The chords of a head are one side. Its place is not known better than
+// `reach`, the metres within which points would lie along it.
+void mark_bare_sides(FoundFacade& found, double reach);
+
 }  // namespace ilot

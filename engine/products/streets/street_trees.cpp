@@ -17,8 +17,9 @@ namespace {
 
 // Choice: a summit is told from the next in cells of about this size; a young tree is two of them wide.
 constexpr double kLeastTreeCell = 0.3;  // metres
-// Derived: more than the widest trunk (TrunkParams) and the ring around it on one side.
-constexpr double kTrunkHalo = 1.5;  // metres around a tile; wider than a trunk
+// Derived: half of the widest trunk and the ring around it, its lean over three metres of height, and stems beside each
+// other (TrunkParams), so that a trunk at a border is the same for both tiles.
+constexpr double kTrunkHalo = 3;  // metres around a tile
 // Choice: above the roots and most of what lies around, below the crowns of most trees.
 constexpr double kTrunkFrom = 0.3, kTrunkTo = 3.3;  // metres above the ground
 // Choice: a trunk of 10 cm fills one; smaller ones break trunks with a step of points of 5 cm and more.
@@ -65,8 +66,9 @@ class TreeFinder {
     trunks_.resize(tiles.raster().grid.count());
     trees_.resize(trunks_.size());
     const double pixel = tiles.raster().scale.pixel;
-    halo_ = static_cast<std::uint32_t>(std::ceil(kTrunkHalo / pixel));
-    voxel_ = std::max(1u, static_cast<std::uint32_t>(std::floor(kTrunkVoxel / pixel + 0.5)));
+    // Powers of two divide the side of a tile, so that all tiles have the same voxels.
+    for (voxel_ = 1; 2 * voxel_ * pixel <= 1.5 * kTrunkVoxel;) voxel_ *= 2;
+    halo_ = (static_cast<std::uint32_t>(std::ceil(kTrunkHalo / pixel)) + voxel_ - 1) / voxel_ * voxel_;
     slice_ = std::max(kTrunkSlice, 2 * pixel);
   }
 

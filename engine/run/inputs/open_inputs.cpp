@@ -68,6 +68,15 @@ void note_dialects(const RunInputs& inputs, Progress& progress) {
   }
 }
 
+// The labels of a cloud in memory are called as the cloud.
+void refuse_equal_names(const std::vector<ArrayCloud>& clouds) {
+  std::set<std::string> names;
+  for (const ArrayCloud& cloud : clouds)
+    if (!names.insert(cloud.name).second)
+      throw Error("two clouds in memory are called \"" + cloud.name + "\": their labels need names of their own",
+                  ExitCode::usage);
+}
+
 }  // namespace
 
 RunInputs open_inputs(const RunOptions& options, Progress& progress, RunRecord& record) {
@@ -81,6 +90,7 @@ RunInputs open_inputs(const RunOptions& options, Progress& progress, RunRecord& 
     inputs.points += reader->info().points;
     inputs.readers.push_back(std::move(reader));
   }
+  refuse_equal_names(options.arrays);
   for (const ArrayCloud& cloud : options.arrays) {
     auto reader = open_arrays(cloud);
     note_input(reader->info(), options, progress, record);

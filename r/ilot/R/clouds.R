@@ -18,6 +18,8 @@ write_cloud <- function(cloud, path, crs = "", scale = 0.001) {
   places <- lapply(c("X", "Y", "Z"), function(name) numbers(cloud[[name]], name))
   attributes <- Map(function(name, largest) whole_numbers(cloud[[name]], name, largest),
                     c("Intensity", "Classification", "R", "G", "B"), c(65535, 255, 65535, 65535, 65535))
+  given <- lengths(c(places, Filter(Negate(is.null), attributes)))
+  if (any(given != given[1])) stop("X, Y, Z and all attributes must have the same number of values", call. = FALSE)
   .Call(write_cloud_r, one_text(path, "path"), places, unname(attributes), one_text(crs, "crs"), as.double(scale))
   invisible(path)
 }

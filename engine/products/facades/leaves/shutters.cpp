@@ -286,8 +286,10 @@ std::vector<ShutterLeaf> find_shutters(const std::vector<FlatPlate>& plates, dou
                                      [&](const FoundRectangle& o) { return judge.is_before(plate, o); });
     if (closed.lit[i]) {
       leaves.push_back({plate.shape, LeafState::closed});
-      extend_below(plate, *std::find_if(openings.begin(), openings.end(),
-                                        [&](const FoundRectangle& o) { return judge.is_light_above(plate, o); }));
+      // Another plate may have widened the light since.
+      const auto light = std::find_if(openings.begin(), openings.end(),
+                                      [&](const FoundRectangle& o) { return judge.is_light_above(plate, o); });
+      if (light != openings.end()) extend_below(plate, *light);
     } else if (closed.closed[i]) {
       windows.push_back(window_behind(plate, closed.like[i] ? &*closed.like[i] : nullptr, alike));
       leaves.push_back({plate.shape, LeafState::closed});
@@ -305,8 +307,11 @@ std::vector<ShutterLeaf> find_shutters(const std::vector<FlatPlate>& plates, dou
     for (std::size_t k = 0; k < plates.size(); ++k) {
       if (closed.closed[i] || closed.closed[k] || !judge.are_about_window(plates[i], plates[k])) continue;
       const FoundRectangle window = window_between(plates[i], plates[k]);
-      if (std::any_of(openings.begin(), openings.end(),
-                      [&](const FoundRectangle& o) { return area_in_common(window.box(), o.box()) > 0; }))
+      const auto overlaps = [&](const FoundRectangle& o) { return area_in_common(window.box(), o.box()) > 0; };
+      const auto lies_between = [&](const FlatPlate& p) { return overlaps(p.shape); };
+      if (std::any_of(openings.begin(), openings.end(), overlaps) ||
+          std::any_of(windows.begin(), windows.end(), overlaps) ||
+          std::any_of(plates.begin(), plates.end(), lies_between))
         continue;
       windows.push_back(window);
       for (const std::size_t leaf : {i, k})

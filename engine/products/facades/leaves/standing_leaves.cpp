@@ -213,7 +213,10 @@ HalfOpen windows_of_leaves(const RaySamples& samples, const std::vector<Standing
         if (inside(o)) {
           window.depth = o.depth, window.depth_error = o.depth_error, window.no_echo |= o.no_echo;
           // A head that was seen above the leaves is that of the window.
-          if (o.at(Side::top) > window.at(Side::top)) window.side(Side::top) = o.side(Side::top);
+          if (o.at(Side::top) > window.at(Side::top)) {
+            window.side(Side::top) = o.side(Side::top);
+            window.arc = o.arc, window.pointed = o.pointed;
+          }
           if (o.at(Side::bottom) < window.at(Side::bottom)) window.side(Side::bottom) = o.side(Side::bottom);
         }
       std::erase_if(openings, inside);

@@ -225,6 +225,7 @@ void add_rows(const RaySamples& samples, const Box2& search, double highest, Hea
 std::vector<PlanePoint> ends_of_sectors(const RaySamples& samples, const Box2& search, const HeadFit& fit) {
   const double crown = (search.u0 + search.u1) / 2 + fit.top.crown_u, centre = fit.crown + fit.top.centre.v;
   const double from = 2, to = direction_degrees(-fit.top.centre.u, -fit.top.centre.v);
+  if (!(to > 2 * from)) return {};
   const double width = (to - from) / kRows;
   std::vector<HeadSlice> sectors(2 * kRows);
   Rays near = samples.near(search);
