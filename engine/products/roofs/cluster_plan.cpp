@@ -135,7 +135,8 @@ class Outliner {
  private:
   std::int64_t grid(std::int64_t v) const { return std::llround(static_cast<double>(v) * millimetres_); }
 
-  // The outlines of a cluster, split where buildings adjoin. Slivers between crossing walls are left out.
+  // The outlines of a cluster, split where buildings adjoin. Slivers between crossing walls are
+  // left out, and parts that hang together in a corner are two buildings.
   std::vector<SitePolygon> buildings_of(std::uint32_t cluster, std::int64_t x, std::int64_t y) const {
     const std::vector<Vec3> points = points_of(cluster, x, y);
     std::vector<Point2> places;
@@ -147,8 +148,9 @@ class Outliner {
     const double step = std::sqrt(area / static_cast<double>(points.size()));
     std::vector<SitePolygon> buildings;
     for (const SitePolygon& outline : outlines)
-      for (SitePolygon& part : split_at_party_walls(outline, points, step))
-        if (area_of(part) >= params_.least_area) buildings.push_back(std::move(part));
+      for (const SitePolygon& part : split_at_party_walls(outline, points, step))
+        for (SitePolygon& whole : repair_outline(part, params_.least_area).polygons)
+          if (area_of(whole) >= params_.least_area) buildings.push_back(std::move(whole));
     return buildings;
   }
 
