@@ -41,7 +41,8 @@ class KerbFinder {
   std::vector<StreetKerb> find() {
     const std::uint64_t side = raster_.grid.side + 2 * halo_;
     run_tasks(raster_.grid,
-              std::vector<std::uint64_t>(places_.size(), side * side * sizeof(GroundPixel) + kBytesOfGround),
+              std::vector<std::uint64_t>(
+                  places_.size(), side * side * (sizeof(GroundPixel) + sizeof(GroundPoint) + 4) + kBytesOfGround),
               [&](std::size_t tile) { find_places(tile); });
     std::size_t count = 0;
     for (const auto& list : places_) count += list.size();
@@ -61,15 +62,16 @@ class KerbFinder {
   }
 
  private:
-  // The ground of a tile and of the pixels around it.
+  // The mean ground points of the pixels of a tile and around it, row by row: most pixels have none.
   struct Window {
-    std::uint32_t side = 0;
-    std::vector<GroundPixel> pixels;
+    std::vector<std::size_t> first;     // of each row; then the number of all
+    std::vector<std::uint32_t> column;  // of each mean
+    std::vector<GroundPoint> mean;      // metres from the corner of the window
   };
 
   Window read(std::size_t tile) const {
-    Window window{raster_.grid.side + 2 * halo_, {}};
-    window.pixels.resize(std::size_t{window.side} * window.side);
+    const std::uint32_t side = raster_.grid.side + 2 * halo_;
+    std::vector<GroundPixel> pixels(std::size_t{side} * side);
     const Index3 corner = raster_.corner(tile);
     const std::int64_t halo_units = halo_ * raster_.pixel;
     const LatticeCells pixel_of(raster_.pixel);
@@ -81,11 +83,27 @@ class KerbFinder {
         const Index3 p = s.position(i);
         if (!box.contains(p)) continue;
         const std::int64_t x = p.x - corner.x + halo_units, y = p.y - corner.y + halo_units;
-        GroundPixel& pixel = window.pixels[std::size_t{pixel_of(y)} * window.side + pixel_of(x)];
+        GroundPixel& pixel = pixels[std::size_t{pixel_of(y)} * side + pixel_of(x)];
         pixel.x += x, pixel.y += y, pixel.z += height_of(p.z);
         ++pixel.points;
       }
     });
+    return window_of(pixels, side);
+  }
+
+  Window window_of(const std::vector<GroundPixel>& pixels, std::uint32_t side) const {
+    Window window{{0}, {}, {}};
+    for (std::uint32_t row = 0; row < side; ++row) {
+      for (std::uint32_t column = 0; column < side; ++column) {
+        const GroundPixel& p = pixels[std::size_t{row} * side + column];
+        if (p.points == 0) continue;
+        const double per = raster_.scale.unit / p.points;
+        window.column.push_back(column);
+        window.mean.push_back(
+            {static_cast<double>(p.x) * per, static_cast<double>(p.y) * per, static_cast<double>(p.z) * per});
+      }
+      window.first.push_back(window.mean.size());
+    }
     return window;
   }
 
@@ -93,18 +111,20 @@ class KerbFinder {
   // Returns the height from which theirs are counted.
   double collect(const Window& window, double x, double y, std::vector<GroundPoint>& out) const {
     out.clear();
-    const double pixel = raster_.scale.pixel, unit = raster_.scale.unit;
+    const double pixel = raster_.scale.pixel;
     const auto column = static_cast<std::int64_t>(x / pixel), row = static_cast<std::int64_t>(y / pixel);
-    const auto r = std::int64_t{reach_}, last = std::int64_t{window.side} - 1;
-    for (std::int64_t v = std::max<std::int64_t>(0, row - r); v <= std::min(last, row + r); ++v)
-      for (std::int64_t u = std::max<std::int64_t>(0, column - r); u <= std::min(last, column + r); ++u) {
-        const GroundPixel& p = window.pixels[static_cast<std::size_t>(v * window.side + u)];
-        if (p.points == 0) continue;
-        const double per = unit / p.points;
-        const GroundPoint at{static_cast<double>(p.x) * per - x, static_cast<double>(p.y) * per - y,
-                             static_cast<double>(p.z) * per};
+    const auto r = std::int64_t{reach_}, last = static_cast<std::int64_t>(window.first.size()) - 2;
+    const std::int64_t from = std::max<std::int64_t>(0, column - r), to = column + r;
+    for (std::int64_t v = std::max<std::int64_t>(0, row - r); v <= std::min(last, row + r); ++v) {
+      const auto begin = window.column.begin() + static_cast<std::ptrdiff_t>(window.first[static_cast<std::size_t>(v)]);
+      const auto end =
+          window.column.begin() + static_cast<std::ptrdiff_t>(window.first[static_cast<std::size_t>(v) + 1]);
+      for (auto c = std::lower_bound(begin, end, from); c != end && *c <= to; ++c) {
+        const GroundPoint& mean = window.mean[static_cast<std::size_t>(c - window.column.begin())];
+        const GroundPoint at{mean.x - x, mean.y - y, mean.z};
         if (at.x * at.x + at.y * at.y <= fit_.radius * fit_.radius) out.push_back(at);
       }
+    }
     const double base = out.empty() ? 0 : out.front().z;  // small numbers lose no digits in sums of squares
     for (GroundPoint& p : out) p.z -= base;
     return base;
