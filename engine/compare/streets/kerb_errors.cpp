@@ -57,10 +57,10 @@ std::optional<std::pair<std::size_t, OnLine>> nearest(const Lines& lines, const 
 
 KerbSight::KerbSight(std::span<const TrueKerb> kerbs, double metres_per_unit) : metres_(metres_per_unit) {
   for (const TrueKerb& kerb : kerbs)
-    for_places(kerb.line, metres_, [&](const OnLine& on, double metres, Vec3 d) {
+    for_places(kerb.line, metres_, [&](const OnLine& on, double length_m, Vec3 d) {
       const double length = std::max(1e-12, std::hypot(d.x, d.y));
       grid_[cell_of(on.at.x, on.at.y)].push_back(places_.size());
-      places_.push_back({on.at, metres, d.x / length, d.y / length, kerb.height_m});
+      places_.push_back({on.at, length_m, d.x / length, d.y / length, kerb.height_m});
     });
 }
 

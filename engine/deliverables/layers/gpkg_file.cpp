@@ -51,6 +51,22 @@ void GpkgFile::add_field(OGRLayer& layer, const char* name, OGRFieldType type, O
   layer.CreateField(&field);
 }
 
+void GpkgFile::add_point(OGRLayer& layer, OGRFeature& feature, Vec3 place) {
+  OGRPoint point(place.x, place.y, place.z);
+  feature.SetGeometry(&point);
+  add(layer, feature);
+}
+
+void GpkgFile::add_area(OGRLayer& layer, OGRFeature& feature, std::span<const Vec3> corners) {
+  OGRLinearRing ring;
+  for (const Vec3& corner : corners) ring.addPoint(corner.x, corner.y);
+  ring.closeRings();
+  OGRPolygon polygon;
+  polygon.addRing(&ring);
+  feature.SetGeometry(&polygon);
+  add(layer, feature);
+}
+
 void GpkgFile::add(OGRLayer& layer, OGRFeature& feature) {
   if (!writing_ && file_->StartTransaction() != OGRERR_NONE) fail();
   writing_ = true;

@@ -4,12 +4,14 @@
 #include <ogrsf_frmts.h>
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/cloud/cloud_info.h"
 #include "engine/deliverables/layers/layer_style.h"
+#include "kernels/core/types.h"
 
 namespace ilot {
 
@@ -26,6 +28,9 @@ class GpkgFile {
   OGRLayer& add_layer(const char* name, OGRwkbGeometryType type, const Crs& crs);
   static void add_field(OGRLayer& layer, const char* name, OGRFieldType type, OGRFieldSubType detail = OFSTNone);
   void add(OGRLayer& layer, OGRFeature& feature);
+  // Gives the feature a geometry and adds it: a place, or an area from its corners, the first one not repeated.
+  void add_point(OGRLayer& layer, OGRFeature& feature, Vec3 place);
+  void add_area(OGRLayer& layer, OGRFeature& feature, std::span<const Vec3> corners);
 
   // QGIS draws the layer in this style when the file is opened there (table layer_styles).
   void set_style(const OGRLayer& layer, const LayerStyle& style);

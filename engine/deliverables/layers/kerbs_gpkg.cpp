@@ -32,9 +32,7 @@ void write_kerbs_gpkg(const std::filesystem::path& path, const StreetPlan& plan,
       feature.SetField("kerb_id", static_cast<GIntBig>(kerb.id));
       feature.SetField("vertex", static_cast<GIntBig>(i + 1));
       feature.SetField("height_m", kerb.heights_m[i]);
-      OGRPoint point(kerb.line[i].x, kerb.line[i].y, kerb.line[i].z);
-      feature.SetGeometry(&point);
-      file.add(heights, feature);
+      file.add_point(heights, feature, kerb.line[i]);
     }
   file.finish();
 }

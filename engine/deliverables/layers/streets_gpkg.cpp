@@ -62,20 +62,12 @@ void write_objects_gpkg(const std::filesystem::path& path, const StreetPlan& pla
   for (const StreetObject& o : plan.objects) {
     OGRFeature feature(objects.GetLayerDefn());
     set_fields(feature, o);
-    OGRPoint base(o.base.x, o.base.y, o.base.z);
-    feature.SetGeometry(&base);
-    file.add(objects, feature);
+    file.add_point(objects, feature, o.base);
   }
   for (const StreetObject& o : plan.objects) {
     OGRFeature feature(extents.GetLayerDefn());
     set_fields(feature, o);
-    OGRLinearRing ring;
-    for (const Vec3& corner : extent_of(o, crs.metres_per_unit)) ring.addPoint(corner.x, corner.y);
-    ring.closeRings();
-    OGRPolygon polygon;
-    polygon.addRing(&ring);
-    feature.SetGeometry(&polygon);
-    file.add(extents, feature);
+    file.add_area(extents, feature, extent_of(o, crs.metres_per_unit));
   }
   file.finish();
 }

@@ -39,20 +39,12 @@ void write_trees_gpkg(const std::filesystem::path& path, const StreetPlan& plan,
   for (const StreetTree& t : plan.trees) {
     OGRFeature feature(trees.GetLayerDefn());
     set_fields(feature, t);
-    OGRPoint place(t.position.x, t.position.y, t.position.z);
-    feature.SetGeometry(&place);
-    file.add(trees, feature);
+    file.add_point(trees, feature, t.position);
   }
   for (const StreetTree& t : plan.trees) {
     OGRFeature feature(crowns.GetLayerDefn());
     set_fields(feature, t);
-    OGRLinearRing ring;
-    for (const Vec3& corner : crown_of(t, crs.metres_per_unit)) ring.addPoint(corner.x, corner.y);
-    ring.closeRings();
-    OGRPolygon polygon;
-    polygon.addRing(&ring);
-    feature.SetGeometry(&polygon);
-    file.add(crowns, feature);
+    file.add_area(crowns, feature, crown_of(t, crs.metres_per_unit));
   }
   file.finish();
 }

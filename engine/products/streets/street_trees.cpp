@@ -15,7 +15,7 @@
 namespace ilot {
 namespace {
 
-// Choice: a summit is told from the next in cells of about this size; a young tree is two of them wide.
+// Choice: a treetop is told from the next in cells of about this size; a young tree is two of them wide.
 constexpr double kLeastTreeCell = 0.3;  // metres
 // Derived: half of the widest trunk and the ring around it, its lean over three metres of height, and stems beside each
 // other (TrunkParams), so that a trunk at a border is the same for both tiles.

@@ -52,18 +52,11 @@ HeadPlaces tops_of_sectors(const RaySamples& samples, const Box2& search, const 
   constexpr double kBeside = 0.08;  // metres
   const double half = std::min(search.width() / 2 / first.radius, 1.0);
   const double from = degrees_of_cosine(half) + 4, width = (180 - 2 * from) / kHeadSlices;
-  std::vector<HeadSlice> sectors(kHeadSlices);
-  Rays near = samples.near(search);
-  const int level = thinning_level(near, kMostHeadSamples, [](const Ray&) { return true; });
-  for (const Ray& ray : near) {
-    const Place2 p = samples.crossing(ray, 0);
+  const auto sectors = head_slices(samples, search, kHeadSlices, [&](Place2 p) {
     const double x = p.u - first.centre.x, y = p.v - first.centre.y, r = std::sqrt(x * x + y * y);
-    if (y <= 0 || std::abs(r - first.radius) > kBeside || !is_kept(ray, level)) continue;
-    const double at = (direction_degrees(x, y) - from) / width;
-    if (at < 0 || at >= kHeadSlices) continue;
-    if (is_below_head(samples, ray)) sectors[static_cast<std::size_t>(at)].below.push_back(r);
-    if (is_above_head(samples, ray)) sectors[static_cast<std::size_t>(at)].above.push_back(r);
-  }
+    const bool beside = y > 0 && std::abs(r - first.radius) <= kBeside;
+    return std::pair(beside ? slice_at((direction_degrees(x, y) - from) / width, kHeadSlices) : kNoSlice, r);
+  });
   HeadPlaces tops;
   for (std::size_t s = 0; s < kHeadSlices; ++s) {
     const HeadEnd end = end_of_slice(samples, sectors[s]);

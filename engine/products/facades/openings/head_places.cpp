@@ -37,18 +37,11 @@ void HeadPlaces::add(PlanePoint place, double gap) {
 }
 
 HeadPlaces tops_of_slices(const RaySamples& samples, const Box2& search) {
-  std::vector<HeadSlice> slices(kHeadSlices);
   const double margin = kJamb * search.width(), width = (search.width() - 2 * margin) / kHeadSlices;
-  Rays near = samples.near(search);
-  const int level = thinning_level(near, kMostHeadSamples, [](const Ray&) { return true; });
-  for (const Ray& ray : near) {
-    if (!is_kept(ray, level)) continue;
-    const Place2 p = samples.crossing(ray, 0);
-    const double at = (p.u - search.u0 - margin) / width;
-    if (at < 0 || at >= kHeadSlices || p.v < search.v0 || p.v > search.v1) continue;
-    if (is_below_head(samples, ray)) slices[static_cast<std::size_t>(at)].below.push_back(p.v);
-    if (is_above_head(samples, ray)) slices[static_cast<std::size_t>(at)].above.push_back(p.v);
-  }
+  const auto slices = head_slices(samples, search, kHeadSlices, [&](Place2 p) {
+    const bool inside = p.v >= search.v0 && p.v <= search.v1;
+    return std::pair(inside ? slice_at((p.u - search.u0 - margin) / width, kHeadSlices) : kNoSlice, p.v);
+  });
   HeadPlaces tops;
   for (std::size_t s = 0; s < kHeadSlices; ++s) {
     const double u = search.u0 + margin + (static_cast<double>(s) + 0.5) * width;

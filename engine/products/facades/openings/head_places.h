@@ -4,6 +4,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "engine/products/facades/openings/openings.h"
@@ -37,6 +38,31 @@ struct HeadEnd {
   bool found = false;
 };
 HeadEnd end_of_slice(const RaySamples& samples, const HeadSlice& slice);
+
+// Sorts the rays that cross the wall in the box, and some around it, into slices across a head. `slice_of` takes the
+// place where a ray crosses the wall, and gives the number of its slice and its distance along it; a number of `count`
+// and more: the ray is in none.
+template <class SliceOf>
+std::vector<HeadSlice> head_slices(const RaySamples& samples, const Box2& search, std::size_t count,
+                                   const SliceOf& slice_of) {
+  std::vector<HeadSlice> slices(count);
+  Rays near = samples.near(search);
+  const int level = thinning_level(near, kMostHeadSamples, [](const Ray&) { return true; });
+  for (const Ray& ray : near) {
+    if (!is_kept(ray, level)) continue;
+    const auto [number, along] = slice_of(samples.crossing(ray, 0));
+    if (number >= count) continue;
+    if (is_below_head(samples, ray)) slices[number].below.push_back(along);
+    if (is_above_head(samples, ray)) slices[number].above.push_back(along);
+  }
+  return slices;
+}
+
+// The number of a slice for a place in widths of slices; kNoSlice before the first one or beyond the last.
+constexpr std::size_t kNoSlice = SIZE_MAX;
+inline std::size_t slice_at(double place, std::size_t count) {
+  return place >= 0 && place < static_cast<double>(count) ? static_cast<std::size_t>(place) : kNoSlice;
+}
 
 // Where slices end, and how exactly each of them shows it.
 struct HeadPlaces {

@@ -2,7 +2,6 @@
 #include "engine/products/facades/openings/pointed_top.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <span>
@@ -15,12 +14,14 @@
 namespace ilot {
 namespace {
 
-// Derived: an arch whose centres are at the opposite jambs is 0.87 times its width high; steeper lancets are cut.
+// Derived: an arch whose centres are at the opposite jambs is 0.87 times its width high. Heads of lancets that are
+// higher than this limit are cut off below.
 constexpr double kHighestPoint = 1.1;  // times the width: no point is higher
 // Choice: the cells of the wall end up to this far below the crown, where the point is narrower than a few cells.
 constexpr double kAbovePoint = 0.2;  // metres
 constexpr std::size_t kRows = 16;    // across each half
-// Choice: a jamb that a leaf or a plant hides is found up to a tenth of the width beside its place.
+// Choice: a jamb that a leaf or a plant hides is found up to a tenth of the width beside its place, which moves the
+// middle by half of that.
 constexpr double kOffMiddle = 0.05;  // share of the width: the crown of arcs is so near the middle between the jambs
 constexpr int kCrowns = 5;           // places on each side of the middle that are tried
 constexpr std::size_t kLeastOfHalf = 4;
@@ -32,7 +33,7 @@ constexpr double kLeastKink = 0.2;  // slope of an arc at the crown
 constexpr double kSteepestHead = 1.75;
 // Choice: half of the residuals of an arc that has one parameter less.
 constexpr double kBetterThanArc = 0.5;
-// Choice: half way between the slopes 0 and 1 on either side of 45 degrees.
+// Choice: 45 degrees, and a fifth more or less, so that both serve between.
 constexpr double kSteepForSlice = 1.2, kFlatForRow = 0.8;
 // Derived: three standard deviations, as the median of the distances says them.
 constexpr double kFarthest = 3 * 1.4826;
@@ -201,21 +202,19 @@ HeadFit fit_lines(std::span<const PlanePoint> places) {
   return best;
 }
 
+// The number of a slice of one half: even ones are left of the crown.
+std::size_t in_half(double place, bool left) {
+  const std::size_t slice = slice_at(place, kRows);
+  return slice == kNoSlice ? kNoSlice : 2 * slice + (left ? 0 : 1);
+}
+
 // The ends of level rows, in each half of the opening: where the head is steep they are more exact than slices.
 void add_rows(const RaySamples& samples, const Box2& search, double highest, HeadEnds& ends) {
   const double middle = (search.u0 + search.u1) / 2, tall = (highest - search.v0) / kRows;
-  std::vector<HeadSlice> rows(2 * kRows);
-  Rays near = samples.near(search);
-  const int level = thinning_level(near, kMostHeadSamples, [](const Ray&) { return true; });
-  for (const Ray& ray : near) {
-    if (!is_kept(ray, level)) continue;
-    const Place2 p = samples.crossing(ray, 0);
-    const double row = (p.v - search.v0) / tall;
-    if (row < 0 || row >= kRows || p.u < search.u0 || p.u > search.u1) continue;
-    HeadSlice& slice = rows[2 * static_cast<std::size_t>(row) + (p.u < middle ? 0 : 1)];
-    if (is_below_head(samples, ray)) slice.below.push_back(std::abs(p.u - middle));
-    if (is_above_head(samples, ray)) slice.above.push_back(std::abs(p.u - middle));
-  }
+  const auto rows = head_slices(samples, search, 2 * kRows, [&](Place2 p) {
+    const bool inside = p.u >= search.u0 && p.u <= search.u1;
+    return std::pair(inside ? in_half((p.v - search.v0) / tall, p.u < middle) : kNoSlice, std::abs(p.u - middle));
+  });
   for (std::size_t r = 0; r < rows.size(); ++r)
     if (const HeadEnd end = end_of_slice(samples, rows[r]); end.found)
       ends.rows.push_back({r % 2 == 0 ? -end.at : end.at, search.v0 + (static_cast<double>(r / 2) + 0.5) * tall});
@@ -227,19 +226,11 @@ std::vector<PlanePoint> ends_of_sectors(const RaySamples& samples, const Box2& s
   const double from = 2, to = direction_degrees(-fit.top.centre.u, -fit.top.centre.v);
   if (!(to > 2 * from)) return {};
   const double width = (to - from) / kRows;
-  std::vector<HeadSlice> sectors(2 * kRows);
-  Rays near = samples.near(search);
-  const int level = thinning_level(near, kMostHeadSamples, [](const Ray&) { return true; });
-  for (const Ray& ray : near) {
-    const Place2 p = samples.crossing(ray, 0);
+  const auto sectors = head_slices(samples, search, 2 * kRows, [&](Place2 p) {
     const double x = std::abs(p.u - crown) - fit.top.centre.u, y = p.v - centre, r = std::sqrt(x * x + y * y);
-    if (p.u < search.u0 || p.u > search.u1 || y <= 0 || std::abs(r - fit.top.radius) > kBesidePoint) continue;
-    const double at = (direction_degrees(x, y) - from) / width;
-    if (at < 0 || at >= kRows || !is_kept(ray, level)) continue;
-    HeadSlice& sector = sectors[2 * static_cast<std::size_t>(at) + (p.u < crown ? 0 : 1)];
-    if (is_below_head(samples, ray)) sector.below.push_back(r);
-    if (is_above_head(samples, ray)) sector.above.push_back(r);
-  }
+    const bool beside = p.u >= search.u0 && p.u <= search.u1 && y > 0 && std::abs(r - fit.top.radius) <= kBesidePoint;
+    return std::pair(beside ? in_half((direction_degrees(x, y) - from) / width, p.u < crown) : kNoSlice, r);
+  });
   std::vector<PlanePoint> places;
   for (std::size_t s = 0; s < sectors.size(); ++s) {
     const HeadEnd end = end_of_slice(samples, sectors[s]);

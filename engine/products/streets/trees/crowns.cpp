@@ -46,8 +46,8 @@ class CrownFinder {
         if (const auto j = static_cast<std::size_t>(v * above_.width + u); j != i && in_crown(j)) take(j);
   }
 
-  // Labels each cell with the summit that it leads to: from the highest cell down, each takes the region of its highest
-  // neighbour, or begins one.
+  // Labels each cell with the treetop that it leads to: from the highest cell down, each takes the region of its
+  // highest neighbour, or begins one.
   void climb() {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < above_.size(); ++i)

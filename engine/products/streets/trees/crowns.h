@@ -41,7 +41,7 @@ struct CrownRegions {
 };
 
 // Tells crowns apart. `above` is the height of the highest vegetation of each cell above the ground, kNoHeight without
-// any. Every cell climbs to the summit that its steepest neighbours lead to. A summit's region with several trunks is
+// any. Every cell climbs to the treetop that its steepest neighbours lead to. A treetop's region with several trunks is
 // split by the nearest trunk. Then neighbours are joined, the pair with the highest pass (as a share of the lower of
 // both tops) first, but never two with a trunk each, unless one of them is so thin that it is a post below the other's
 // crown. Ties by number. O(cells log cells).

@@ -46,7 +46,7 @@ TEST(Crowns, ApartAreTwoAndOverlappingDomesAreToldByTheirPass) {
   EXPECT_EQ(find_crowns(shallow, {}, crown_params()).regions.size(), 1u);
 }
 
-TEST(Crowns, TwoTrunksBelowOneSummitSplitIt) {
+TEST(Crowns, TwoTrunksBelowOneTreetopSplitIt) {
   const Image dome = canopy(60, 30, {{30, 15, 14, 10}});
   const std::vector<TrunkCell> trunks{{22, 15}, {38, 15}};
   const CrownRegions crowns = find_crowns(dome, trunks, crown_params());
@@ -56,7 +56,7 @@ TEST(Crowns, TwoTrunksBelowOneSummitSplitIt) {
   EXPECT_EQ(owners, (std::set<int>{0, 1}));
 }
 
-TEST(Crowns, ATrunkJoinsWhatIsOneTreeWithSeveralSummits) {
+TEST(Crowns, ATrunkJoinsWhatIsOneTreeWithSeveralTreetops) {
   const Image two = canopy(60, 30, {{24, 15, 10, 10}, {38, 15, 10, 10}});  // a pass at 0.85
   EXPECT_EQ(find_crowns(two, {}, crown_params()).regions.size(), 2u);
   const std::vector<TrunkCell> trunk{{24, 15}};
