@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "engine/pass/context.h"
+#include "engine/pass/input_lattice.h"
 #include "engine/store/partition.h"
 
 namespace ilot {
 
 struct IndexParams {
   double unit = 0.001;        // CRS units per lattice step
-  double finest_step = 1e-5;  // metres; no lattice is finer
+  double finest_step = kFinestStep;  // metres; no lattice is finer
   std::int64_t multiple = 1;  // of the finest steps of the inputs (InputLattice)
   IndexFilter filter;
   std::uint64_t block_points = 1u << 20;
