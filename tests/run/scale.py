@@ -166,7 +166,7 @@ class Scale(RunTest):
         self.assertEqual(self.task(plan, 1).returncode, 1)
 
     def test_what_is_refused(self):
-        for product in ("planes", "streets", "facades"):
+        for product in ("streets", "facades"):
             done = ilot("plan", self.inputs, "-o", self.folder / "p", "--products", product)
             self.assertEqual(done.returncode, 2)
             self.assertIn("cannot promise the bytes of one run", done.stderr)
