@@ -6,12 +6,10 @@ import json
 import math
 import random
 import shutil
-import signal
 import struct
 import subprocess
-import time
 
-from support import EXE, Las, RunTest, ilot, main, real, small_las
+from support import EXE, Las, RunTest, ilot, kill_at_work, main, real, small_las
 
 
 class PlanesTest(RunTest):
@@ -126,10 +124,7 @@ class PlanOfPlanes(PlanesTest):
         self.assertIn("run ilot merge with --labels first", self.label(plan, 1, out).stderr)
         shutil.rmtree(out)
         self.assertEqual(self.merged(plan, "--labels")["result_hash"], early["result_hash"])
-        killed = subprocess.Popen([EXE, "task", plan, "label", "2", "-o", out, "--threads", "1", "-q"])
-        time.sleep(0.05)
-        killed.send_signal(signal.SIGKILL)
-        killed.wait()
+        kill_at_work(["task", plan, "label", 2, "-o", out, "--threads", "1", "-q"], out, ".label-2-")
         self.assertEqual(self.label(plan, 5, out).returncode, 2)
         twins = [subprocess.Popen([EXE, "task", plan, "label", str(n), "-o", out, "--threads", "1", "-q"])
                  for n in (4, 2, 4, 1, 3, 2)]
@@ -145,10 +140,7 @@ class PlanOfPlanes(PlanesTest):
         plan, what = self.plan(inputs, "--area-size", 130)
         other, _ = self.plan(inputs, "--area-size", 130, "--set", "planes.join_angle=7")
         last = what["areas"][-1]["area"]
-        killed = subprocess.Popen([EXE, "task", plan, "1", "--threads", "1", "-q"])
-        time.sleep(0.1)
-        killed.send_signal(signal.SIGKILL)
-        killed.wait()
+        kill_at_work(["task", plan, 1, "--threads", "1", "-q"], plan / "parts", ".1-")
         twins = [subprocess.Popen([EXE, "task", plan, "1", "--threads", "1", "-q"]) for _ in range(2)]
         self.assertEqual([twin.wait() for twin in twins], [0, 0])
         first = (plan / "parts/1").read_bytes()
