@@ -47,7 +47,7 @@ exit $code
 )";
 
 constexpr const char* kSnakemake = R"(# snakemake --cores 8 --retries 3 --snakefile THIS --config out=out
-@C@# snakemake ... clouds: labelled clouds too
+@C@# snakemake clouds --cores ...: labelled clouds too
 PLAN, OUT, ILOT = "@PLAN@", config.get("out", "out"), config.get("ilot", "ilot")
 rule merge:
     input: expand(PLAN + "/parts/{n}", n=range(1, @N@ + 1))
