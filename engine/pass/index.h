@@ -38,6 +38,11 @@ struct IndexResult {
 IndexResult build_index(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params,
                         const std::filesystem::path& folder, const PassContext& context);
 
+// The second half of build_index: makes the blocks of a store from runs that are there. Files of blocks that are in the
+// folder already are kept. `params` gives block_points and classes.
+std::vector<Block> build_blocks(const std::vector<SortedRun>& runs, const IndexParams& params, const Strays& strays,
+                                const std::filesystem::path& folder, const PassContext& context);
+
 // Returns the index that an earlier build_index left in the folder, without reading the inputs; nothing is written.
 // `first` is the lattice that the run asked for first (common_lattice). Throws Error when the folder has no index.
 IndexResult open_index(const std::filesystem::path& folder, const InputLattice& first);
