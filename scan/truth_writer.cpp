@@ -55,12 +55,12 @@ std::string occluded_text(const std::optional<double>& share) {
 }
 
 std::string object_text(const TrueObject& o, Vec3 origin) {
-  return fmt::format(R"({{"id":{},"class":"{}","variant":"{}","base":{},"box":{{"centre":{},"size":{},)"
+  return fmt::format(R"({{"id":{},"class":"{}",{}"variant":"{}","base":{},"box":{{"centre":{},"size":{},)"
                      R"("heading_deg":{}}},"touches":{},"points":{}{}{}{}}})",
-                     o.id, o.object_class, o.variant, place_text(origin + o.base), place_text(origin + o.box_centre),
-                     direction_text(o.box_size), o.heading_deg, ids_text(o.touches), o.points,
-                     occluded_text(o.occluded), o.moves ? R"(,"moves":true)" : "",
-                     o.sometimes ? R"(,"sometimes":true)" : "");
+                     o.id, o.object_class, o.group.empty() ? "" : fmt::format(R"("group":"{}",)", o.group), o.variant,
+                     place_text(origin + o.base), place_text(origin + o.box_centre), direction_text(o.box_size),
+                     o.heading_deg, ids_text(o.touches), o.points, occluded_text(o.occluded),
+                     o.moves ? R"(,"moves":true)" : "", o.sometimes ? R"(,"sometimes":true)" : "");
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ struct TrueBuilding {
 
 struct TrueObject {
   std::uint32_t id = 0;
-  std::string object_class, variant;
+  std::string object_class, variant, group;  // group: one of four classes, or empty
   Vec3 base, box_centre, box_size;
   double heading_deg = 0;
   std::vector<std::uint32_t> touches;

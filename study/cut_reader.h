@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cloud without its points high above the ground. Some scans are cut in this way for privacy or to save space.
+// A cloud without some of its points: those high above the ground, as some scans are cut for privacy or to save space,
+// or all but a share of them.
 #pragma once
 #include <memory>
 
@@ -14,5 +15,8 @@ struct CutPlane {
 
 // Returns a reader of the points of another reader. Points more than `height` above the plane are rejected.
 std::unique_ptr<PointReader> cut_above(std::unique_ptr<PointReader> reader, const CutPlane& plane, double height);
+
+// Returns a reader of one in `of` points of another reader, drawn at random by their number. The others are rejected.
+std::unique_ptr<PointReader> thinned(std::unique_ptr<PointReader> reader, std::uint32_t of);
 
 }  // namespace ilot

@@ -247,7 +247,12 @@ void print_lost(const TrueStreet& truth, const FoundStreet& found) {
 }  // namespace
 
 const std::vector<std::string>& object_classes() {
-  static const std::vector<std::string> names{"car", "lamppost", "pedestrian", "other"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const auto& [value, name] : point_label_names())
+      if (is_street_object(static_cast<PointLabel>(value))) all.push_back(name);
+    return all;
+  }();
   return names;
 }
 
@@ -261,13 +266,19 @@ std::string name_of(PointLabel label) {
   return label == PointLabel::none ? "none" : point_label_names().at(static_cast<std::uint32_t>(label));
 }
 
-Street study(const fs::path& cloud, double cut) {
+std::string Leaving::name() const {
+  return (cut > 0 ? fmt::format(".cut{}", cut) : "") + (one_in > 1 ? fmt::format(".thin{}", one_in) : "");
+}
+
+Street study(const fs::path& cloud, const Leaving& leaving) {
   TrueStreet truth = read_street(cloud);
-  const fs::path folder = fs::temp_directory_path() / ("bench_streets_" + cloud.stem().string());
+  const fs::path folder = fs::temp_directory_path() / ("bench_streets_" + cloud.stem().string() + leaving.name());
   fs::remove_all(folder);
   fs::create_directories(folder);
   std::vector<std::unique_ptr<PointReader>> readers;
-  readers.push_back(cut > 0 ? cut_above(open_cloud(cloud), truth.ground, cut) : open_cloud(cloud));
+  readers.push_back(open_cloud(cloud));
+  if (leaving.cut > 0) readers[0] = cut_above(std::move(readers[0]), truth.ground, leaving.cut);
+  if (leaving.one_in > 1) readers[0] = thinned(std::move(readers[0]), leaving.one_in);
   PassContext context;
   const IndexResult index = build_index(readers, {}, folder, context);
   const FoundStreet found = find_street(index.store, {}, context);

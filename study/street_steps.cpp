@@ -11,6 +11,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "engine/model/object_colours.h"
 #include "engine/pass/index.h"
 #include "engine/products/streets/ground/artefacts.h"
 #include "engine/products/streets/make_streets.h"
@@ -97,20 +98,10 @@ Paint labels(const std::vector<std::uint32_t>& of) {
 }
 
 Rgb colour_of(PointLabel label) {
-  switch (label) {
-    case PointLabel::car:
-      return {220, 60, 50};
-    case PointLabel::lamppost:
-      return {250, 200, 40};
-    case PointLabel::pedestrian:
-      return {70, 140, 250};
-    case PointLabel::other:
-      return {200, 90, 220};
-    case PointLabel::vegetation:
-      return {60, 150, 70};
-    default:
-      return {110, 110, 110};
-  }
+  if (label == PointLabel::vegetation) return {60, 150, 70};
+  if (!is_street_object(label)) return {110, 110, 110};
+  const auto [red, green, blue] = object_colour(label);
+  return {red, green, blue};
 }
 
 // Returns the window of all pixels that contain a point.

@@ -5,13 +5,15 @@
 // --model, the classifier that is trained on all data is written. With --shipped, the default model is evaluated on
 // streets that it has not seen; with --air, the default model for clouds from the air is used. With --cut H, each
 // street is used twice: as it is, and without the points higher than H metres above the road. The classifier learns
-// from both, and each kind is evaluated separately. With --most N, at most N samples of a class are used for learning.
-// Usage: study_streets STREET.laz... [--cut H] [--most N] [--air] [--cache FOLDER] [--model FILE] [--only-model |
-// --everything |
-// --shipped]
+// from both, and each kind is evaluated separately. With --roles MODEL, the roles are those of that model, and only the
+// classes are learnt. With --thin N, the classes are also learnt from one point in N of each street, the roles are not.
+// Usage: study_streets STREET.laz... [--cut H] [--thin N]... [--air] [--cache FOLDER] [--model FILE] [--roles MODEL]
+//        [--only-model | --everything | --shipped]
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 #include "engine/model/point_label.h"
@@ -28,11 +30,21 @@ namespace {
 using namespace ilot;
 namespace fs = std::filesystem;
 
-// Returns for each object that was found the object candidate that overlaps it best.
+struct Arguments {
+  std::vector<std::string> clouds;
+  fs::path cache, model, roles;
+  double cut = 0;
+  std::vector<std::uint32_t> thin;
+  bool evaluate = true, four_classes = true, shipped = false, air = false;
+};
+
+// Returns for each object that was found the object candidate that overlaps it best, with one of the four classes of
+// the document.
 std::vector<TrainingSample> objects_of(const Street& street) {
   std::vector<TrainingSample> out;
   for (const auto& [object, i] : best_samples(street)) {
     out.push_back(street.samples[i]);
+    out.back().label = group_of(out.back().label);
     out.back().parts = {};
   }
   return out;
@@ -195,32 +207,57 @@ void evaluate_shipped(const std::vector<Street>& streets, std::size_t different,
   print_trade(streets, by_street);
 }
 
-void write_model(const std::vector<Street>& streets, const std::vector<std::string>& clouds, double cut,
-                 std::uint32_t most, const fs::path& path) {
+std::vector<TrainingSample> samples_of(const std::vector<Street>& streets, std::size_t different) {
   std::vector<std::vector<TrainingSample>> lists;
   for (const Street& street : streets) lists.push_back(street.samples);
-  const std::vector<TrainingSample> samples = pooled(lists, clouds.size());
-  ObjectTrainingParams params;
-  params.most_of_class = most;
-  ObjectModel model = train_object_model(samples, params);
-  std::string names;
-  for (const std::string& c : clouds) names += " " + fs::path(c).filename().string();
-  model.recipe = "study_streets" + names + (cut > 0 ? fmt::format(" --cut {}", cut) : "") +
-                 (most != ObjectTrainingParams{}.most_of_class ? fmt::format(" --most {}", most) : "") + " --model " +
-                 path.filename().string() + "\n" +
-                 fmt::format("{} things; {} folds by block; at most {} of a class\n", samples.size(), params.folds,
-                             params.most_of_class);
-  write_whole_file(path, object_model_text(model));
-  fmt::print("\n{}: {} trees, {} support vectors, cost {}, gamma {}\n", path.string(),
-             model.trees.stages[0].trees.trees() + model.trees.stages[1].trees.trees(), model.vectors.size(),
-             model.cost, model.gamma);
+  return pooled(lists, different);
 }
 
-Street street_of(const std::string& cloud, double cut, const fs::path& cache) {
-  const std::string kind = cut > 0 ? fmt::format(".cut{}", cut) : "";
+// How the model was trained, so that it can be trained again.
+std::string recipe_of(const Arguments& a, std::size_t samples) {
+  std::string text = "study_streets";
+  for (const std::string& c : a.clouds) text += " " + fs::path(c).filename().string();
+  if (a.cut > 0) text += fmt::format(" --cut {}", a.cut);
+  for (const std::uint32_t one_in : a.thin) text += fmt::format(" --thin {}", one_in);
+  if (!a.roles.empty()) text += " --roles " + a.roles.filename().string();
+  text += " --only-model --model " + a.model.filename().string() + "\n";
+  return text + fmt::format("{} things; {} folds by block\n", samples, ObjectTrainingParams{}.folds);
+}
+
+// The roles of `a.roles`, or those that are learnt from the streets that are not thinned; the classes are learnt from
+// all.
+void write_model(const std::vector<Street>& streets, const std::vector<Street>& thin, const Arguments& a) {
+  const std::vector<TrainingSample> samples = samples_of(streets, a.clouds.size());
+  std::vector<TrainingSample> all = samples;
+  for (TrainingSample s : samples_of(thin, a.clouds.size())) {
+    s.parts = {};
+    all.push_back(s);
+  }
+  ObjectModel model;
+  std::string of_roles;
+  if (a.roles.empty()) {
+    model = train_roles(samples);
+  } else {
+    std::stringstream text;
+    text << std::ifstream(a.roles).rdbuf();
+    model = parse_object_model(text.str(), a.roles.string());
+    of_roles = "roles of " + a.roles.filename().string() + ", which came from:\n" + model.recipe;
+  }
+  ObjectTrainingParams params;
+  params.classes = ClassMethod::trees;
+  train_classes(all, params, model);
+  model.recipe = recipe_of(a, all.size()) + of_roles;
+  write_whole_file(a.model, object_model_text(model));
+  fmt::print("\n{}: {} trees of roles, {} of classes\n", a.model.string(),
+             model.trees.stages[0].trees.trees() + model.trees.stages[1].trees.trees(),
+             model.class_trees.trees.trees());
+}
+
+Street street_of(const std::string& cloud, const Leaving& leaving, const fs::path& cache) {
+  const std::string kind = leaving.name();
   fmt::print("{}{}\n", cloud, kind);
   const fs::path kept = cache.empty() ? fs::path() : cache / (fs::path(cloud).stem().string() + kind + ".candidates");
-  Street street = !kept.empty() && fs::exists(kept) ? load(kept) : study(cloud, cut);
+  Street street = !kept.empty() && fs::exists(kept) ? load(kept) : study(cloud, leaving);
   if (!kept.empty() && !fs::exists(kept)) save(street, kept);
   set_roles(street);
   std::map<std::string, std::uint64_t> counts;
@@ -235,14 +272,6 @@ Street street_of(const std::string& cloud, double cut, const fs::path& cache) {
   return street;
 }
 
-struct Arguments {
-  std::vector<std::string> clouds;
-  fs::path cache, model;
-  double cut = 0;
-  std::uint32_t most = ObjectTrainingParams{}.most_of_class;
-  bool evaluate = true, four_classes = true, shipped = false, air = false;
-};
-
 Arguments read_arguments(const std::vector<std::string>& words) {
   Arguments a;
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -252,8 +281,10 @@ Arguments read_arguments(const std::vector<std::string>& words) {
       a.model = words[++i];
     else if (words[i] == "--cut" && i + 1 < words.size())
       a.cut = std::stod(words[++i]);
-    else if (words[i] == "--most" && i + 1 < words.size())
-      a.most = static_cast<std::uint32_t>(std::stoul(words[++i]));
+    else if (words[i] == "--thin" && i + 1 < words.size())
+      a.thin.push_back(static_cast<std::uint32_t>(std::stoul(words[++i])));
+    else if (words[i] == "--roles" && i + 1 < words.size())
+      a.roles = words[++i];
     else if (words[i] == "--only-model")
       a.evaluate = false;
     else if (words[i] == "--shipped")
@@ -272,10 +303,10 @@ Arguments read_arguments(const std::vector<std::string>& words) {
 
 void run(const Arguments& a) {
   std::vector<Street> streets;
-  for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, 0, a.cache));
+  for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, {}, a.cache));
   const std::vector<Street> whole = streets;
   if (a.cut > 0)
-    for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, a.cut, a.cache));
+    for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, {a.cut}, a.cache));
   const std::size_t different = whole.size();
   if (a.shipped) evaluate_shipped(streets, different, a.air ? air_object_model() : default_object_model());
   if (a.evaluate) {
@@ -290,7 +321,11 @@ void run(const Arguments& a) {
     }
     evaluate(streets, different, "everything found, all features", {}, Judged::everything);
   }
-  if (!a.model.empty()) write_model(streets, a.clouds, a.cut, a.most, a.model);
+  if (a.model.empty()) return;
+  std::vector<Street> thin;
+  for (const std::uint32_t one_in : a.thin)
+    for (const std::string& cloud : a.clouds) thin.push_back(street_of(cloud, {0, one_in}, a.cache));
+  write_model(streets, thin, a);
 }
 
 }  // namespace

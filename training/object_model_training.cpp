@@ -11,6 +11,7 @@
 #include "engine/model/point_label.h"
 #include "engine/products/streets/classes/object_model_functions.h"
 #include "kernels/core/parallel.h"
+#include "training/class_training.h"
 #include "training/feature_selection.h"
 #include "training/pair_sigmoid.h"
 #include "training/role_training.h"
@@ -22,7 +23,9 @@ namespace {
 
 constexpr int kCosts[] = {0, 3, 6, 9};  // powers of two
 constexpr int kGammas[] = {-7, -5, -3, -1};
-constexpr double kRounding = 1e-3;  // of a kernel, by the few digits of vectors in a model's text
+// Choice: enough for the kinds of a class at several densities; with fewer a rare kind is far from all of them.
+constexpr std::uint32_t kMostKept = 60;  // samples of each class in a model of trees
+constexpr double kRounding = 1e-3;       // of a kernel, by the few digits of vectors in a model's text
 
 std::vector<PointLabel> classes_of(std::span<const TrainingSample> samples) {
   std::vector<PointLabel> classes;
@@ -200,6 +203,31 @@ void train_svm(std::span<const TrainingSample> all, const TrainingFolds& folds, 
   finish(training_set(samples, model, folds), even, folds.count(), model);
 }
 
+// Keeps some samples of each class, by which objects are recognised that are farther from their class than its samples.
+void keep_samples(std::span<const TrainingSample> samples, const TrainingFolds& folds, ObjectModel& model) {
+  for (std::size_t f = 0; f < kCandidateFeatures; ++f) model.features.push_back(f);
+  standardise(samples, model);
+  model.gamma = 1 / static_cast<double>(model.features.size());
+  std::vector<TrainingSample> rest;
+  const TrainingSet kept = training_set(thinned(samples, kMostKept, rest), model, folds);
+  model.vectors = kept.rows;
+  model.class_of_vector = kept.classes;
+  const TrainingSet all = training_set(samples, model, folds);
+  model.min_similarity = min_similarities(all, all.size(), model);
+}
+
+// Trains the trees that separate the classes. They learn how common the classes are.
+void train_class_trees(std::span<const TrainingSample> samples, const TrainingFolds& folds, ObjectModel& model) {
+  model.classes = classes_of(samples);
+  model.prior.assign(model.classes.size(), 1);
+  model.class_trees = learn_class_trees(samples, model.classes, folds);
+  keep_samples(samples, folds, model);
+}
+
+TrainingFolds folds_of(std::span<const TrainingSample> samples, const ObjectTrainingParams& params) {
+  return {samples, std::clamp<std::uint32_t>(static_cast<std::uint32_t>(samples.size()), 2u, params.folds)};
+}
+
 bool has_role(const TrainingSample& s) {
   return s.role != CandidateRole::whole;
 }
@@ -207,7 +235,7 @@ bool has_role(const TrainingSample& s) {
 std::vector<TrainingSample> whole_objects(std::span<const TrainingSample> samples) {
   std::vector<TrainingSample> out;
   for (const TrainingSample& s : samples)
-    if (!has_role(s) && is_street_object(s.label)) out.push_back(s);
+    if (!has_role(s) && is_street_object(s.label)) out.push_back(s), out.back().parts = {};
   return out;
 }
 
@@ -229,20 +257,33 @@ std::vector<std::size_t> selected_features(std::span<const TrainingSample> sampl
   return chosen;
 }
 
+void train_classes(std::span<const TrainingSample> all, const ObjectTrainingParams& params, ObjectModel& model) {
+  const std::vector<TrainingSample> objects = model.trees.empty() ? std::vector<TrainingSample>{} : whole_objects(all);
+  const std::span<const TrainingSample> chosen = model.trees.empty() ? all : objects;
+  check(chosen, model.trees.empty() ? 2 : 1);
+  const TrainingFolds folds = folds_of(all, params);
+  ObjectModel learnt;
+  learnt.recipe = std::move(model.recipe), learnt.trees = std::move(model.trees), learnt.roles = model.roles;
+  if (params.classes == ClassMethod::trees && classes_of(chosen).size() > 1)
+    train_class_trees(chosen, folds, learnt);
+  else
+    train_svm(chosen, folds, params, learnt);
+  model = std::move(learnt);
+}
+
+ObjectModel train_roles(std::span<const TrainingSample> all, const ObjectTrainingParams& params) {
+  ObjectModel model;
+  LearntRoles learnt = learn_roles(all, folds_of(all, params));
+  model.trees = std::move(learnt.trees);
+  model.roles = learnt.weights;
+  return model;
+}
+
 ObjectModel train_object_model(std::span<const TrainingSample> all, const ObjectTrainingParams& params) {
   const bool roles = std::any_of(all.begin(), all.end(), has_role);
-  const std::vector<TrainingSample> objects = roles ? whole_objects(all) : std::vector<TrainingSample>{};
-  const std::span<const TrainingSample> of_svm = roles ? objects : all;
-  check(of_svm, roles ? 1 : 2);
-  const auto most = static_cast<std::uint32_t>(of_svm.size());
-  const TrainingFolds folds(all, std::clamp<std::uint32_t>(most, 2u, params.folds));
-  ObjectModel model;
-  if (roles) {
-    LearntRoles learnt = learn_roles(all, folds);
-    model.trees = std::move(learnt.trees);
-    model.roles = learnt.weights;
-  }
-  train_svm(of_svm, folds, params, model);
+  if (roles) check(whole_objects(all), 1);
+  ObjectModel model = roles ? train_roles(all, params) : ObjectModel{};
+  train_classes(all, params, model);
   return model;
 }
 

@@ -14,7 +14,11 @@ namespace ilot {
 // The features that may be selected.
 enum class FeatureSet : std::uint8_t { document, all };
 
+// What separates the classes: the support vector machine, or boosted trees of all features.
+enum class ClassMethod : std::uint8_t { machine, trees };
+
 struct ObjectTrainingParams {
+  ClassMethod classes = ClassMethod::machine;
   FeatureSet features = FeatureSet::all;
   double max_p = 0.01;      // of the stepwise selection
   std::uint32_t folds = 5;  // of the cross-validation for the grid search
@@ -36,6 +40,12 @@ std::vector<std::size_t> selected_features(std::span<const TrainingSample> sampl
 // true number of samples of each class. At least two classes (or roles, and one class) with two samples each are
 // needed, otherwise the function throws Error(usage).
 ObjectModel train_object_model(std::span<const TrainingSample> samples, const ObjectTrainingParams& params = {});
+
+// Replaces the classes of a model by those that are learnt from the samples that are whole and objects. The roles stay.
+void train_classes(std::span<const TrainingSample> samples, const ObjectTrainingParams& params, ObjectModel& model);
+
+// Trains the roles alone, from samples with roles.
+ObjectModel train_roles(std::span<const TrainingSample> samples, const ObjectTrainingParams& params = {});
 
 // Cross-validation by groups. Returns the classification of each sample by a classifier that was trained on the samples
 // of the other folds. All steps of the training are included.

@@ -5,6 +5,7 @@
 
 #include "engine/model/point_label.h"
 #include "engine/products/streets/classes/object_model_functions.h"
+#include "training/class_training.h"
 #include "training/role_weights.h"
 #include "training/tree_boosting.h"
 
@@ -31,26 +32,9 @@ StageSamples stage_samples(const ChosenSamples& chosen, std::span<const KindShar
   return out;
 }
 
-// Removes the columns that no tree uses.
-RoleStage only_used(RoleStage stage) {
-  RoleStage out;
-  std::vector<std::uint16_t> place(stage.columns.size(), 0);
-  std::vector<std::vector<float>> limits;
-  for (std::size_t c = 0; c < stage.columns.size(); ++c) {
-    if (stage.trees.limits[c].empty() && c + 1 < stage.columns.size()) continue;  // an empty stage would be invalid
-    place[c] = static_cast<std::uint16_t>(out.columns.size());
-    out.columns.push_back(stage.columns[c]);
-    limits.push_back(stage.trees.limits[c]);
-  }
-  out.trees = std::move(stage.trees);
-  out.trees.limits = std::move(limits);
-  for (TreeSplit& s : out.trees.splits) s.column = place[s.column];
-  return out;
-}
-
-RoleStage train_stage(const ChosenSamples& chosen, std::span<const KindShares> said_of_all) {
+ColumnTrees train_stage(const ChosenSamples& chosen, std::span<const KindShares> said_of_all) {
   const StageSamples from = stage_samples(chosen, said_of_all);
-  RoleStage stage;
+  ColumnTrees stage;
   for (std::size_t c = 0; c < (from.predicted.empty() ? kCandidateFeatures : kRoleColumns); ++c)
     stage.columns.push_back(c);
   std::vector<std::uint32_t> kinds;

@@ -51,6 +51,17 @@ ClassNames class_names(const LabelCounts& counts, const Truth& truth) {
   return names;
 }
 
+// The names of the labels of points. A class of street objects that the truth does not have counts as its group: the
+// points of a truth have four classes of objects.
+ClassNames found_class_names(const ClassNames& truth) {
+  ClassNames names = point_label_names();
+  for (auto& [value, name] : names) {
+    const auto same = [&](const auto& entry) { return entry.second == name; };
+    if (std::none_of(truth.begin(), truth.end(), same)) name = label_name(group_of(static_cast<PointLabel>(value)));
+  }
+  return names;
+}
+
 void evaluate_classes(const LabelCounts& counts, const Truth& truth, Evaluation& evaluation) {
   if (!counts.has_true_class) return;
   const ClassNames names = class_names(counts, truth);
@@ -59,7 +70,7 @@ void evaluate_classes(const LabelCounts& counts, const Truth& truth, Evaluation&
     evaluation.confusion = confusion_of_labels(counts.facade_labels.sorted(), point_label_names(), point_label_names());
   } else if (counts.any_label) {
     evaluation.class_source = ClassSource::labels;
-    evaluation.confusion = confusion_of_labels(counts.class_labels.sorted(), names, point_label_names());
+    evaluation.confusion = confusion_of_labels(counts.class_labels.sorted(), names, found_class_names(names));
   } else if (counts.has_planes) {
     evaluation.confusion = confusion_of_segments(counts.class_segments.sorted(), names);
   }

@@ -186,12 +186,24 @@ std::string reliability_html(const Reliability& r) {
   return html + fmt::format("</table></div>\n<p>Calibration error {:.3f}</p>\n", r.calibration_error);
 }
 
+std::string class_counts_html(const std::vector<ObjectClassCounts>& classes, const char* title) {
+  std::string html = fmt::format(
+      "<h3>{}</h3>\n<div class=\"scroll\"><table><tr><th>class</th><th>true</th><th>detected</th><th>with the right "
+      "class</th></tr>\n",
+      title);
+  for (const ObjectClassCounts& c : classes)
+    html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", escaped_markup(c.name), c.truth,
+                        c.detected, c.right);
+  return html + "</table></div>\n";
+}
+
 std::string objects_html(const ObjectResult& o) {
   return figures_html("Objects", {{"true", text_of(o.truth)},
                                   {"found", text_of(o.found)},
                                   {"detected", text_of(o.detected)},
                                   {"false", text_of(o.false_found)},
                                   {"unseen", text_of(o.unseen)}}) +
+         class_counts_html(o.classes, "Objects by class") + class_counts_html(o.groups, "Objects by four classes") +
          confusion_html(o.confusion, "Classes of objects");
 }
 

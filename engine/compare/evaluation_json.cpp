@@ -119,6 +119,13 @@ Json json_of(const DrawnEdges& d) {
   return json;
 }
 
+Json json_of(const std::vector<ObjectClassCounts>& classes) {
+  Json json = Json::object();
+  for (const ObjectClassCounts& c : classes)
+    json[c.name] = {{"true", c.truth}, {"detected", c.detected}, {"right", c.right}};
+  return json;
+}
+
 Json json_of(const Reliability& r) {
   Json json{
       {"count", r.count}, {"calibration_error", r.count ? Json(r.calibration_error) : Json()}, {"bins", Json::array()}};
@@ -177,6 +184,9 @@ std::string evaluation_json(const Evaluation& e) {
                        {"false", e.objects->false_found},
                        {"right_class", number(e.objects->right_class)},
                        {"detected_and_right", number(e.objects->detected_and_right)},
+                       {"classes", json_of(e.objects->classes)},
+                       {"right_group", number(e.objects->right_group)},
+                       {"groups", json_of(e.objects->groups)},
                        {"confusion", json_of(e.objects->confusion)}};
   if (e.probabilities) {
     json["probabilities"] = json_of(e.probabilities->all);

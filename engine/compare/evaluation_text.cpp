@@ -164,13 +164,24 @@ std::string roofs_text(const RoofEvaluation& r) {
          edges_text(r.edges);
 }
 
+std::string class_counts_text(const std::vector<ObjectClassCounts>& classes, const char* title) {
+  std::vector<Row> rows{{title, "true", "detected", "right class", "of the detected"}};
+  for (const ObjectClassCounts& c : classes)
+    rows.push_back({c.name, std::to_string(c.truth), std::to_string(c.detected), std::to_string(c.right),
+                    c.detected == 0 ? "-" : percent(static_cast<double>(c.right) / static_cast<double>(c.detected))});
+  return table(rows);
+}
+
 std::string objects_text(const ObjectResult& o) {
   const auto share = [](std::optional<double> v) { return v ? percent(*v) : "-"; };
   return fmt::format("objects  true {}  found {}  detected {}  false {}  (unseen {})\n", o.truth, o.found, o.detected,
                      o.false_found, o.unseen) +
          fmt::format("right class, mean over classes: {} of the detected, {} of all\n", share(o.right_class),
                      share(o.detected_and_right)) +
-         confusion_text(o.confusion, "classes of objects");
+         class_counts_text(o.classes, "class") +
+         fmt::format("with four classes (car, lamppost, pedestrian, other): {} of the detected\n",
+                     share(o.right_group)) +
+         class_counts_text(o.groups, "group") + confusion_text(o.confusion, "classes of objects");
 }
 
 std::string probabilities_text(const ProbabilityEvaluation& p) {

@@ -116,7 +116,8 @@ Truth parse_truth(std::string_view text, const std::string& name) {
                             n.at("position").position()};
   });
   read_list(root, "objects", truth.objects, truth.has_objects, [](const JsonNode& n) {
-    return TrueObject{n.at("id").id(), n.at("class").text(), n.has("points") ? n.at("points").count() : 0};
+    return TrueObject{n.at("id").id(), n.at("class").text(), n.has("points") ? n.at("points").count() : 0,
+                      n.has("group")};
   });
   read_list(root, "trees", truth.trees, truth.has_trees, tree_of);
   read_list(root, "kerbs", truth.kerbs, truth.has_kerbs, kerb_of);

@@ -53,6 +53,7 @@ struct TrueObject {
   std::uint32_t id = 0;  // the value of true_element
   std::string class_name;
   std::uint64_t points = 0;
+  bool has_group = false;  // truth files of earlier versions have none: their classes are groups
 };
 
 struct TrueTree {

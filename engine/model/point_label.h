@@ -12,8 +12,10 @@ namespace ilot {
 // The names by value, without `none`. Truth files use these names for their classes.
 inline const std::map<std::uint32_t, std::string>& point_label_names() {
   static const std::map<std::uint32_t, std::string> names{
-      {1, "ground"}, {2, "roof"},    {3, "wall"}, {4, "vegetation"}, {5, "facade"},      {6, "window"}, {7, "door"},
-      {8, "sill"},   {9, "balcony"}, {10, "car"}, {11, "lamppost"},  {12, "pedestrian"}, {13, "other"}};
+      {1, "ground"}, {2, "roof"},     {3, "wall"},         {4, "vegetation"}, {5, "facade"},    {6, "window"},
+      {7, "door"},   {8, "sill"},     {9, "balcony"},      {10, "car"},       {11, "lamppost"}, {12, "pedestrian"},
+      {13, "other"}, {14, "van"},     {15, "two_wheeler"}, {16, "sign"},      {17, "bollard"},  {18, "bin"},
+      {19, "bench"}, {20, "planter"}, {21, "fence"},       {22, "cabinet"}};
   return names;
 }
 
@@ -21,6 +23,13 @@ inline const std::map<std::uint32_t, std::string>& point_label_names() {
 // name above.
 inline bool is_street_object(PointLabel label) {
   return label >= PointLabel::car && point_label_names().contains(static_cast<std::uint32_t>(label));
+}
+
+// The four classes of Hernandez and Marcotegui (2008): car, lamppost, pedestrian, and other for all other objects. A
+// van is a car there.
+inline PointLabel group_of(PointLabel label) {
+  if (label == PointLabel::van) return PointLabel::car;
+  return label > PointLabel::other && is_street_object(label) ? PointLabel::other : label;
 }
 
 }  // namespace ilot

@@ -3,6 +3,8 @@
 #include <functional>
 #include <set>
 
+#include "engine/model/object_colours.h"
+#include "engine/model/point_label.h"
 #include "engine/replay/tile_replay.h"
 
 namespace ilot {
@@ -117,7 +119,9 @@ class TilePictures {
 };
 
 PictureColour colour_of_label(PointLabel label) {
-  return colour_of_number(static_cast<std::uint64_t>(label));
+  if (!is_street_object(label)) return colour_of_number(static_cast<std::uint64_t>(label));
+  const auto [red, green, blue] = object_colour(label);
+  return {red, green, blue};
 }
 
 void TilePictures::add_objects() {

@@ -93,6 +93,15 @@ enum class PointLabel : std::uint8_t {
   lamppost = 11,
   pedestrian = 12,
   other = 13,  // stands on the ground and is none of these
+  van = 14,    // and lorry, bus, caravan
+  two_wheeler = 15,
+  sign = 16,  // and traffic light
+  bollard = 17,
+  bin = 18,  // and container
+  bench = 19,
+  planter = 20,
+  fence = 21,    // and railing, free-standing wall
+  cabinet = 22,  // and other closed boxes: meter, letter box, charging post
 };
 
 // "none", "ground", "car" ...: the name of the enumerator, as files have it.

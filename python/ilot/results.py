@@ -113,7 +113,7 @@ class Facade:
 @dataclasses.dataclass(frozen=True)
 class StreetObject:
     id: int
-    label: str  # car, lamppost, pedestrian, other
+    label: str  # car, van, two_wheeler, pedestrian, lamppost, sign, bollard, bin, bench, planter, fence, cabinet, other
     probability: float  # of that class
     base: Place  # on the ground
     middle: Place  # of its extent, on the ground

@@ -9,6 +9,7 @@
 #include "engine/formats/writer.h"
 #include "scan/scanners/echo_point.h"
 #include "scan/scanners/scan_record.h"
+#include "scan/streets/object_classes.h"
 #include "scan/streets/street_flight.h"
 #include "scan/streets/street_scan.h"
 #include "scan/truth_writer.h"
@@ -57,7 +58,8 @@ TruePlane in_scene(TruePlane plane, std::uint64_t points) {
 TrueObject in_scene(const StreetObject& object, std::uint64_t points) {
   TrueObject truth;
   truth.id = object.id;
-  truth.object_class = name_of(object.artefact_class);
+  truth.object_class = label_name(object_class_of(object.variant));
+  truth.group = name_of(object.artefact_class);
   truth.variant = object.variant;
   truth.base = street_to_scene(object.pose.base);
   const double up = (object.box.min.z + object.box.max.z) / 2;

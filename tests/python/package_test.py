@@ -90,7 +90,8 @@ class Package(unittest.TestCase):
         ilot.streets(street, self.folder / "street", report=False)
         found = ilot.read_streets(self.folder / "street")
         self.assertGreater(len(found), 0)
-        self.assertTrue({o.label for o in found} <= {"car", "lamppost", "pedestrian", "other"})
+        self.assertTrue({o.label for o in found} <= {"car", "van", "two_wheeler", "pedestrian", "lamppost", "sign", "bollard",
+                                                    "bin", "bench", "planter", "fence", "cabinet", "other"})
         corners = np.array(found[0].__geo_interface__["geometry"]["coordinates"][0])
         self.assertAlmostEqual(float(np.hypot(*(corners[1] - corners[0]))), found[0].length_m, 6)
 

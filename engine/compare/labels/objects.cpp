@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "engine/model/point_label.h"
+
 namespace ilot {
 namespace {
 
@@ -31,12 +33,20 @@ std::map<std::string, std::uint32_t> class_numbers(std::span<const TrueObject> t
   return numbers;
 }
 
-struct ClassCounts {
-  std::uint64_t truth = 0, detected = 0, right = 0;
-};
+// Counts by the name of a true class.
+using CountsByName = std::map<std::string, ObjectClassCounts>;
 
-// The means over the true classes.
-void set_class_shares(const std::map<std::string, ClassCounts>& counts, ObjectResult& result) {
+std::vector<ObjectClassCounts> list_of(const CountsByName& counts) {
+  std::vector<ObjectClassCounts> list;
+  for (const auto& [name, c] : counts) list.push_back({name, c.truth, c.detected, c.right});
+  return list;
+}
+
+// The means over the true classes: the share that is right, of the detected and of all.
+struct ClassShareMeans {
+  std::optional<double> of_detected, of_all;
+};
+ClassShareMeans mean_shares(const CountsByName& counts) {
   double of_detected = 0, of_all = 0, with_detected = 0;
   for (const auto& [name, c] : counts) {
     of_all += static_cast<double>(c.right) / static_cast<double>(c.truth);
@@ -44,8 +54,27 @@ void set_class_shares(const std::map<std::string, ClassCounts>& counts, ObjectRe
     of_detected += static_cast<double>(c.right) / static_cast<double>(c.detected);
     ++with_detected;
   }
-  if (with_detected > 0) result.right_class = of_detected / with_detected;
-  if (!counts.empty()) result.detected_and_right = of_all / static_cast<double>(counts.size());
+  ClassShareMeans means;
+  if (with_detected > 0) means.of_detected = of_detected / with_detected;
+  if (!counts.empty()) means.of_all = of_all / static_cast<double>(counts.size());
+  return means;
+}
+
+void count(CountsByName& counts, const std::string& name, bool detected, bool right) {
+  ObjectClassCounts& c = counts[name];
+  ++c.truth, c.detected += detected, c.right += right;
+}
+
+// The group of a class, by name. Classes that no product knows are `other`.
+std::string group_name(const std::string& name) {
+  for (const auto& [value, known] : point_label_names())
+    if (known == name) return label_name(group_of(static_cast<PointLabel>(value)));
+  return "other";
+}
+
+bool has_groups_alone(std::span<const TrueObject> truth) {
+  return std::none_of(truth.begin(), truth.end(),
+                      [](const TrueObject& o) { return o.has_group || group_name(o.class_name) != o.class_name; });
 }
 
 // Returns the class that is right for a true class: `other` for those that the product does not know.
@@ -69,9 +98,12 @@ ObjectResult evaluate_objects(std::span<const TrueObject> truth, std::span<const
   ClassNames true_names, found_names = label_names;
   for (const auto& [name, number] : numbers) true_names[number] = name;
   found_names[kUnlabelled] = "unlabelled";
+  if (has_groups_alone(truth))
+    for (auto& [label, name] : found_names)
+      if (label != kUnlabelled) name = group_name(name);
   LabelPairs objects;
   ObjectResult result;
-  std::map<std::string, ClassCounts> of_class;
+  CountsByName of_class, of_group;
   for (const auto& [found, label] : label_of) result.right_of_found[found] = false;
   for (const TrueObject& object : truth) {
     if (!seen.contains(object.id)) {
@@ -79,23 +111,30 @@ ObjectResult evaluate_objects(std::span<const TrueObject> truth, std::span<const
       continue;
     }
     ++result.truth;
-    ClassCounts& count = of_class[object.class_name];
-    ++count.truth;
+    bool right = false, right_group = false;
     const auto found = partner.find(object.id);
     std::uint32_t label = 0;
     if (found != partner.end()) {
       ++result.detected;
-      ++count.detected;
       const auto labelled = label_of.find(found->second);
       label = labelled == label_of.end() ? kUnlabelled : labelled->second;
-      const bool right =
-          found_names.contains(label) && found_names.at(label) == right_class(object.class_name, label_names);
-      count.right += right;
+      const auto name = found_names.find(label);
+      if (name != found_names.end()) {
+        right = name->second == right_class(object.class_name, label_names);
+        right_group = label != kUnlabelled && group_name(name->second) == group_name(object.class_name);
+      }
       result.right_of_found[found->second] = right;
     }
+    count(of_class, object.class_name, found != partner.end(), right);
+    count(of_group, group_name(object.class_name), found != partner.end(), right_group);
     objects.add(numbers.at(object.class_name), label);
   }
-  set_class_shares(of_class, result);
+  const ClassShareMeans means = mean_shares(of_class);
+  result.right_class = means.of_detected;
+  result.detected_and_right = means.of_all;
+  result.right_group = mean_shares(of_group).of_detected;
+  result.classes = list_of(of_class);
+  result.groups = list_of(of_group);
   result.found = matching.found_planes;
   result.false_found = result.found - matching.matches.size();
   result.confusion = confusion_of_labels(objects.sorted(), true_names, found_names);

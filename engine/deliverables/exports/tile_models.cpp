@@ -67,7 +67,7 @@ const std::vector<PropertyClass>& tile_classes() {
         {"azimuth_deg", PropertyType::real, "deg", "where it looks, clockwise from north"}}},
       {"object",
        {{"object_id", PropertyType::whole, "", "as in streets/objects.gpkg"},
-        {"class", PropertyType::text, "", "car, lamppost, pedestrian or other"},
+        {"class", PropertyType::text, "", "car, van, two_wheeler, pedestrian, lamppost, sign ... (docs/outputs.md)"},
         {"probability", PropertyType::real, "", "of that class"},
         {"height_m", PropertyType::real, "m", "above the ground around it"},
         {"length_m", PropertyType::real, "m", "of its rectangle"},

@@ -2,8 +2,11 @@
 #include "engine/deliverables/layers/layer_style.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "engine/markup.h"
+#include "engine/model/object_colours.h"
+#include "engine/model/point_label.h"
 
 namespace ilot {
 namespace {
@@ -102,14 +105,13 @@ LayerStyle style_of_planes() {
 }
 
 LayerStyle style_of_objects(StyleSymbol symbol) {
-  return {"class",
-          symbol,
-          "class",
-          false,
-          {{"car", "car", "43,108,176"},
-           {"lamppost", "lamppost", "230,159,0"},
-           {"pedestrian", "pedestrian", "197,48,48"},
-           {"other", "other", "90,122,60"}}};
+  LayerStyle style{"class", symbol, "class", false, {}};
+  for (const auto& [value, name] : point_label_names()) {
+    const auto label = static_cast<PointLabel>(value);
+    if (is_street_object(label))
+      style.classes.push_back({name, name, fmt::format("{}", fmt::join(object_colour(label), ","))});
+  }
+  return style;
 }
 
 LayerStyle style_of_blocks() {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "engine/model/object_colours.h"
+#include "engine/model/point_label.h"
 #include "engine/model/street_geometry.h"
 #include "engine/whole_file.h"
 
@@ -19,17 +21,9 @@ constexpr double kScaleBar = 20;      // metres
 constexpr double kTreeDot = 0.3;      // metres; radius of the dot at the trunk
 constexpr const char *kTree = "#2f7d32", *kTrunk = "#5d4037", *kKerb = "#b22260";
 
-const char* colour_of(PointLabel label) {
-  switch (label) {
-    case PointLabel::car:
-      return "#2b6cb0";
-    case PointLabel::lamppost:
-      return "#d69e2e";
-    case PointLabel::pedestrian:
-      return "#c53030";
-    default:
-      return "#4a7c59";
-  }
+std::string colour_of(PointLabel label) {
+  const auto [red, green, blue] = object_colour(label);
+  return fmt::format("#{:02x}{:02x}{:02x}", red, green, blue);
 }
 
 const std::string& name_of(PointLabel label) {

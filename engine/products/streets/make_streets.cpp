@@ -136,7 +136,7 @@ Structure carried(const FoundStreet& street, const ObjectCandidate& candidate) {
 // The classes of candidates. Trunks are vegetation, and pillars are none, as they belong to a building.
 std::vector<CandidateClass> classes_without_trunks(const FoundStreet& street, std::vector<CandidateClass> classes) {
   for (std::size_t i = 0; i < classes.size(); ++i) {
-    if (classes[i].label == PointLabel::car || !is_street_object(classes[i].label)) continue;
+    if (group_of(classes[i].label) == PointLabel::car || !is_street_object(classes[i].label)) continue;
     const Structure above = carried(street, street.candidates[i]);
     if (above == Structure::crown) classes[i].label = PointLabel::vegetation;
     if (above == Structure::overhang) classes[i].label = PointLabel::none;

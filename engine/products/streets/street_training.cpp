@@ -109,10 +109,13 @@ ObjectModel learn(const FoundStreet& street, const StreetTraining& train, const 
         train.places.string(), learnt.outside, learnt.places, learnt.first_outside.x, learnt.first_outside.y));
   std::map<PointLabel, std::size_t> counts;
   for (const TrainingSample& s : learnt.samples) ++counts[s.label];
+  std::vector<std::string> missing;
   for (const auto& entry : point_label_names())
     if (const auto label = static_cast<PointLabel>(entry.first); is_street_object(label) && counts.count(label) == 0)
-      add_warning(
-          fmt::format("{}: contains no {}, so nothing will be called that", train.places.string(), name_of(label)));
+      missing.push_back(name_of(label));
+  if (!missing.empty())
+    add_warning(fmt::format("{}: contains no {}, so nothing will be called that", train.places.string(),
+                            fmt::join(missing, ", ")));
   ObjectModel model = train.learn(learnt.samples);
   model.recipe = fmt::format("trained by ilot run --train on {} objects\n", learnt.samples.size());
   for (const auto& [label, count] : counts) model.recipe += fmt::format("{}: {}\n", name_of(label), count);

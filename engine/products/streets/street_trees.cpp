@@ -55,7 +55,7 @@ struct PlacedTrunk {
 };
 
 bool may_be_trunk(PointLabel label) {
-  return label == PointLabel::vegetation || label == PointLabel::other || label == PointLabel::none;
+  return label == PointLabel::vegetation || group_of(label) == PointLabel::other || label == PointLabel::none;
 }
 
 class TreeFinder {

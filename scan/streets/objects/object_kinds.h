@@ -37,7 +37,6 @@ enum class ObjectPlace : std::uint8_t {
 
 struct ObjectKind {
   std::string_view name, family;  // a family can be left out of a scene
-  ArtefactClass artefact_class;   // the class that the evaluation of streets reads
   ObjectPlace place;
   double frequency;  // among the kinds of its place
   void (*make)(ObjectShape& shape, Rng& rng);

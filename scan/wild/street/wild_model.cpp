@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <map>
 
+#include "scan/streets/object_classes.h"
 #include "scan/wild/street/wild_street.h"
 
 namespace ilot::scan {
@@ -10,7 +11,7 @@ namespace {
 std::vector<Part> parts_of(WildStreetModel& model, const WildObject& object) {
   std::map<SurfaceId, SurfaceId> surface_of;  // by material
   const StreetClass own =
-      object.is_tree() || object.is_plant() ? StreetClass::vegetation : class_of(object.kind->artefact_class);
+      object.is_tree() || object.is_plant() ? StreetClass::vegetation : class_of(artefact_class_of(object.kind->name));
   std::vector<Part> parts;
   for (const Solid& local : object.shape.solids) {
     Solid solid = placed(local, object.pose);

@@ -9,6 +9,7 @@
 #include "engine/formats/writer.h"
 #include "scan/scanners/echo_point.h"
 #include "scan/scanners/scan_record.h"
+#include "scan/streets/object_classes.h"
 #include "scan/truth_writer.h"
 #include "scan/unit.h"
 #include "scan/wild/street/wild_street_scan.h"
@@ -47,7 +48,8 @@ std::optional<double> known(double share) {
 TrueObject object_in_scene(const WildStreet& street, const WildObject& object, std::uint64_t points, double hidden) {
   TrueObject truth;
   truth.id = object.id;
-  truth.object_class = object.is_plant() ? "vegetation" : name_of(object.kind->artefact_class);
+  truth.object_class = label_name(object.is_plant() ? PointLabel::vegetation : object_class_of(object.kind->name));
+  if (!object.is_plant()) truth.group = name_of(artefact_class_of(object.kind->name));
   truth.variant = object.kind->name;
   truth.base = street.to_scene(object.pose.base);
   truth.box_centre = street.to_scene(object.pose.place(0.5 * (object.box.min + object.box.max)));

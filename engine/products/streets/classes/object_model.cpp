@@ -9,9 +9,9 @@
 
 #include "engine/error.h"
 #include "engine/model/point_label.h"
+#include "engine/products/streets/classes/class_shares.h"
 #include "engine/products/streets/classes/object_model_functions.h"
 #include "engine/products/streets/classes/role_trees_text.h"
-#include "engine/products/streets/classes/svm_decisions.h"
 
 namespace ilot {
 namespace {
@@ -78,16 +78,20 @@ class ModelReader {
       std::copy_n(v.begin() + kCandidateStates, kCandidateStates, model_.roles.bias.begin());
       return;
     }
-    if (word == "stage" || word == "column" || word == "tree") {
-      if (const std::string wrong = trees_.take(line); !wrong.empty()) fail(wrong);
+    if (TreesReader::knows(word)) {
+      if (const std::string wrong = trees_.take(line, model_.classes.size()); !wrong.empty()) fail(wrong);
       return;
     }
-    if (word != "vector") fail("'" + word + "' is not known");
-    const auto v = numbers(words, model_.classes.size() + model_.features.size());
+    if (word != "vector" && word != "sample") fail("'" + word + "' is not known");
+    take_vector(words, word == "vector" ? model_.classes.size() - 1 : 0);
+  }
+
+  void take_vector(std::istringstream& words, std::size_t weight_count) {
+    const auto v = numbers(words, 1 + weight_count + model_.features.size());
     if (v[0] < 0 || v[0] >= static_cast<double>(model_.classes.size())) fail("there is no such class");
-    const auto weights = v.begin() + static_cast<std::ptrdiff_t>(model_.classes.size());
+    const auto weights = v.begin() + static_cast<std::ptrdiff_t>(1 + weight_count);
     model_.class_of_vector.push_back(static_cast<std::uint32_t>(v[0]));
-    model_.weights.emplace_back(v.begin() + 1, weights);
+    if (weight_count > 0) model_.weights.emplace_back(v.begin() + 1, weights);
     model_.vectors.emplace_back(weights, v.end());
   }
 
@@ -136,8 +140,13 @@ class ModelReader {
 
   void check() {
     const std::size_t k = model_.classes.size();
-    if (const std::string wrong = trees_.finish(model_.trees); !wrong.empty()) fail(wrong);
+    if (const std::string wrong = trees_.finish(model_.trees, model_.class_trees); !wrong.empty()) fail(wrong);
     if (k == 1 && !model_.trees.empty()) return;
+    if (k > 1 && !model_.class_trees.empty()) {
+      if (model_.class_trees.trees.classes != k) fail("the trees of the classes are of other classes");
+      if (!model_.weights.empty()) fail("there are trees of the classes and a machine");
+      return;
+    }
     if (k < 2 || model_.features.empty() || model_.vectors.empty()) fail("ends before its vectors");
     if (model_.rho.size() != k * (k - 1) / 2) fail("there must be a line 'pair' for each two classes");
   }
@@ -146,7 +155,7 @@ class ModelReader {
   std::string name_;
   std::size_t number_ = 0;
   ObjectModel model_;
-  RoleTreesReader trees_;
+  TreesReader trees_;
 };
 
 // The shares of the kinds for a model without trees. All candidates count as whole.
@@ -182,7 +191,12 @@ MostProbable most_probable(const ObjectModel& model, const ClassShares& shares, 
   return best;
 }
 
-CandidateClass class_of(const ObjectModel& model, const ClassShares& shares, const KindShares& kind) {
+double share_of(const KindShares& kind, CandidateKind n) {
+  return kind[static_cast<std::size_t>(n)];
+}
+
+// The weights of the roles, and vegetation or nothing as the class of what is no object: the most probable of the two.
+CandidateClass role_of(const ObjectModel& model, const KindShares& kind) {
   const auto logs = state_logs(kind);
   std::array<double, kCandidateStates> log, weight;
   for (std::size_t s = 0; s < kCandidateStates; ++s) {
@@ -190,21 +204,28 @@ CandidateClass class_of(const ObjectModel& model, const ClassShares& shares, con
     weight[s] = natural_exp(log[s]);
   }
   const auto [object, rest, part, merged] = weight;
-  const auto of = [&](CandidateKind n) { return kind[static_cast<std::size_t>(n)]; };
-  const double no_object = of(CandidateKind::nothing) + of(CandidateKind::vegetation),
-               all = of(CandidateKind::object) + no_object;
-  const bool is_object = of(CandidateKind::object) > 0 && object >= rest;
-  auto [label, of_side, is_similar] = most_probable(model, shares, is_object);
-  if (!is_object && !model.trees.empty()) {
-    const bool grows = of(CandidateKind::vegetation) > of(CandidateKind::nothing);
-    label = grows ? PointLabel::vegetation : PointLabel::none;
-    of_side = std::max(of(CandidateKind::vegetation), of(CandidateKind::nothing)) / std::max(kLeastShare, no_object);
-  }
-  CandidateClass out{label, 0, std::max(object, rest), part, merged, log[0] - log[1]};
-  out.probability = all > 0 ? of_side * (is_object ? of(CandidateKind::object) : no_object) / all : 0;
-  if (is_object && !is_similar)
-    out.label = PointLabel::other, out.probability = 1 / static_cast<double>(shares.share.size());
+  const double vegetation = share_of(kind, CandidateKind::vegetation), nothing = share_of(kind, CandidateKind::nothing),
+               all = share_of(kind, CandidateKind::object) + vegetation + nothing;
+  CandidateClass out{PointLabel::none, 0, std::max(object, rest), part, merged, log[0] - log[1]};
+  if (vegetation > nothing) out.label = PointLabel::vegetation;
+  out.probability = all > 0 ? std::max(vegetation, nothing) / all : 0;
   return out;
+}
+
+bool is_object(const CandidateClass& role, const KindShares& kind) {
+  return share_of(kind, CandidateKind::object) > 0 && role.object >= 0;
+}
+
+// Sets the class of an object, or of any candidate by a model without trees of roles.
+void set_class(const ObjectModel& model, const ClassShares& shares, const KindShares& kind, CandidateClass& of) {
+  const bool object = is_object(of, kind);
+  const auto [label, share, is_similar] = most_probable(model, shares, object);
+  const double objects = share_of(kind, CandidateKind::object),
+               rest = share_of(kind, CandidateKind::vegetation) + share_of(kind, CandidateKind::nothing);
+  of.label = label;
+  of.probability = objects + rest > 0 ? share * (object ? objects : rest) / (objects + rest) : 0;
+  if (object && !is_similar)
+    of.label = PointLabel::other, of.probability = 1 / static_cast<double>(shares.share.size());
 }
 
 }  // namespace
@@ -227,12 +248,25 @@ std::vector<PointLabel> most_probable_classes(const ObjectModel& model, std::spa
 
 std::vector<CandidateClass> classify_candidates(const ObjectModel& model, std::span<const CandidateFeatures> candidates,
                                                 std::span<const CandidateParts> parts) {
-  const std::vector<CandidateParts> apart(parts.empty() ? candidates.size() : 0, CandidateParts{});
-  std::vector<KindShares> kinds;
-  if (!model.trees.empty()) kinds = kind_shares(model.trees, candidates, parts.empty() ? apart : parts);
   std::vector<CandidateClass> out;
-  for (const ClassShares& shares : class_shares(model, candidates))
-    out.push_back(class_of(model, shares, kinds.empty() ? nature_of(model, shares.share) : kinds[out.size()]));
+  if (model.trees.empty()) {
+    for (const ClassShares& shares : class_shares(model, candidates)) {
+      const KindShares kind = nature_of(model, shares.share);
+      out.push_back(role_of(model, kind));
+      set_class(model, shares, kind, out.back());
+    }
+    return out;
+  }
+  const std::vector<CandidateParts> apart(parts.empty() ? candidates.size() : 0, CandidateParts{});
+  const std::vector<KindShares> kinds = kind_shares(model.trees, candidates, parts.empty() ? apart : parts);
+  std::vector<CandidateFeatures> objects;  // the classes of the others are those of their roles
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    out.push_back(role_of(model, kinds[i]));
+    if (is_object(out[i], kinds[i])) objects.push_back(candidates[i]), places.push_back(i);
+  }
+  const std::vector<ClassShares> shares = class_shares(model, objects);
+  for (std::size_t i = 0; i < places.size(); ++i) set_class(model, shares[i], kinds[places[i]], out[places[i]]);
   return out;
 }
 
@@ -258,12 +292,13 @@ std::string object_model_text(const ObjectModel& model) {
     for (const double v : list) text += fmt::format(" {:.9g}", v);
   text += "\n";
   for (std::size_t v = 0; v < model.vectors.size(); ++v) {
-    text += fmt::format("vector {}", model.class_of_vector[v]);
-    for (const double w : model.weights[v]) text += fmt::format(" {:.7g}", w);
+    text += fmt::format("{} {}", model.weights.empty() ? "sample" : "vector", model.class_of_vector[v]);
+    if (!model.weights.empty())
+      for (const double w : model.weights[v]) text += fmt::format(" {:.7g}", w);
     for (const double x : model.vectors[v]) text += fmt::format(" {:.5g}", x);
     text += "\n";
   }
-  return text + role_trees_text(model.trees);
+  return text + column_trees_text("classes", model.class_trees) + role_trees_text(model.trees);
 }
 
 ObjectModel parse_object_model(std::string_view text, const std::string& name) {

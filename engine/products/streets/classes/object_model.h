@@ -26,21 +26,22 @@ struct RoleWeights {
   std::array<double, kCandidateStates> power{1, 1, 1, 1}, bias{};
 };
 
-// A trained support vector machine (one against one, radial kernel exp(-gamma d^2) on standardised features). Where the
-// samples had roles, the model also has trees that decide what is whole and an object. The machine is then trained on
-// objects only.
+// A trained classifier. The classes come from a support vector machine (one against one, radial kernel exp(-gamma d^2)
+// on standardised features) or from boosted trees. Where the samples had roles, the model also has trees that decide
+// what is whole and an object; the classes are then learnt from objects only.
 struct ObjectModel {
   std::string recipe;                 // how it was trained, for people: lines without a leading blank
   std::vector<std::size_t> features;  // in the order of their selection
   std::vector<double> mean, sd;       // mean and standard deviation of each feature, after signed_root
   double gamma = 1, cost = 1;
-  std::vector<PointLabel> classes;     // ascending; a single class needs no vectors
-  std::vector<double> min_similarity;  // of each class: least kernel to any of its vectors for a member
+  std::vector<PointLabel> classes;     // ascending; a single class needs neither vectors nor trees
+  std::vector<double> min_similarity;  // of each class: least kernel to the nearest of its vectors for a member
   std::vector<double> prior;           // of each class: how many samples there were for each one that was trained on
-  std::vector<std::vector<double>> vectors;    // support vectors, standardised
+  std::vector<std::vector<double>> vectors;    // support vectors, or samples of the classes of trees; standardised
   std::vector<std::vector<double>> weights;    // per support vector: one less than there are classes, in libsvm's order
   std::vector<std::uint32_t> class_of_vector;  // index into classes, ascending
   std::vector<double> rho, slope, offset;      // per pair of classes: (0, 1), (0, 2) ... (1, 2) ...
+  ColumnTrees class_trees;                     // empty: the machine decides the classes
   RoleTrees trees;
   RoleWeights roles;
 };

@@ -70,7 +70,7 @@ std::vector<double> role_rows(std::span<const std::size_t> columns, const RoleIn
   return rows;
 }
 
-std::vector<KindShares> stage_shares(const RoleStage& stage, std::span<const CandidateFeatures> candidates,
+std::vector<KindShares> stage_shares(const ColumnTrees& stage, std::span<const CandidateFeatures> candidates,
                                      std::span<const CandidateParts> parts, std::span<const KindShares> predicted) {
   const std::vector<CandidateRelations> relations = candidate_relations(candidates, parts);
   std::vector<KindShares> out(candidates.size());
@@ -87,7 +87,7 @@ std::vector<KindShares> stage_shares(const RoleStage& stage, std::span<const Can
 std::vector<KindShares> kind_shares(const RoleTrees& model, std::span<const CandidateFeatures> candidates,
                                     std::span<const CandidateParts> parts) {
   std::vector<KindShares> predicted;
-  for (const RoleStage& stage : model.stages) predicted = stage_shares(stage, candidates, parts, predicted);
+  for (const ColumnTrees& stage : model.stages) predicted = stage_shares(stage, candidates, parts, predicted);
   return predicted;
 }
 

@@ -25,16 +25,17 @@ using CandidateParts = std::array<std::uint32_t, 2>;
 // also uses the result of the first stage for the candidate itself, for its parts and for its partner.
 constexpr std::size_t kRoleStages = 2;
 
-// The columns and trees of one stage. A column is a feature or, from kCandidateFeatures on, the logarithm of a share
-// that the first stage gives.
-struct RoleStage {
+// Trees and the columns that they use. A column is a feature or, from kCandidateFeatures on, the logarithm of a share
+// that the first stage of the roles gives.
+struct ColumnTrees {
   std::vector<std::size_t> columns;  // indices of the columns that the trees use
   BoostedTrees trees;
+  bool empty() const { return trees.splits.empty(); }
 };
 
 struct RoleTrees {
-  std::array<RoleStage, kRoleStages> stages;
-  bool empty() const { return stages[0].trees.splits.empty(); }
+  std::array<ColumnTrees, kRoleStages> stages;
+  bool empty() const { return stages[0].empty(); }
 };
 
 // The candidates whose first-stage result the second stage uses: the candidate itself and its relatives.
@@ -64,7 +65,7 @@ std::vector<double> role_rows(std::span<const std::size_t> columns, const RoleIn
                               std::size_t count);
 
 // The shares that one stage gives for all candidates. Runs on the threads of the calling arena.
-std::vector<KindShares> stage_shares(const RoleStage& stage, std::span<const CandidateFeatures> candidates,
+std::vector<KindShares> stage_shares(const ColumnTrees& stage, std::span<const CandidateFeatures> candidates,
                                      std::span<const CandidateParts> parts, std::span<const KindShares> predicted);
 
 // The shares that the trees give for all candidates; `parts` has one entry per candidate. O(candidates trees), on the

@@ -26,7 +26,7 @@ bool next_number(std::istringstream& words, Number& value) {
 }
 
 // Parses "-", or a column and one of its limits in this stage.
-bool split_of(const std::string& word, const RoleStage& stage, TreeSplit& split) {
+bool split_of(const std::string& word, const ColumnTrees& stage, TreeSplit& split) {
   split = {0, kNoSplit};
   if (word == "-") return true;
   const std::size_t colon = word.find(':');
@@ -37,51 +37,63 @@ bool split_of(const std::string& word, const RoleStage& stage, TreeSplit& split)
 
 }  // namespace
 
-std::string role_trees_text(const RoleTrees& model) {
-  std::string text;
-  if (model.empty()) return text;
-  for (const RoleStage& stage : model.stages) {
-    const BoostedTrees& trees = stage.trees;
-    text += fmt::format("stage {} {}\n", trees.depth, fmt::join(trees.first, " "));
-    for (std::size_t c = 0; c < stage.columns.size(); ++c) {
-      text += fmt::format("column {}", trees.limits[c].size());
-      for (const float limit : trees.limits[c]) text += fmt::format(" {:.9g}", limit);
-      text += " " + role_column_name(stage.columns[c]) + "\n";
-    }
-    const std::size_t leaves = std::size_t{1} << trees.depth;
-    for (std::size_t t = 0; t < trees.trees(); ++t) {
-      text += "tree";
-      for (std::size_t n = t * (leaves - 1); n < (t + 1) * (leaves - 1); ++n)
-        text +=
-            trees.splits[n].bin == kNoSplit ? " -" : fmt::format(" {}:{}", trees.splits[n].column, trees.splits[n].bin);
-      for (std::size_t n = t * leaves; n < (t + 1) * leaves; ++n) text += fmt::format(" {}", trees.leaves[n]);
-      text += "\n";
-    }
+std::string column_trees_text(const char* keyword, const ColumnTrees& model) {
+  if (model.empty()) return {};
+  const BoostedTrees& trees = model.trees;
+  std::string text = fmt::format("{} {} {}\n", keyword, trees.depth, fmt::join(trees.first, " "));
+  for (std::size_t c = 0; c < model.columns.size(); ++c) {
+    text += fmt::format("column {}", trees.limits[c].size());
+    for (const float limit : trees.limits[c]) text += fmt::format(" {:.9g}", limit);
+    text += " " + role_column_name(model.columns[c]) + "\n";
+  }
+  const std::size_t leaves = std::size_t{1} << trees.depth;
+  for (std::size_t t = 0; t < trees.trees(); ++t) {
+    text += "tree";
+    for (std::size_t n = t * (leaves - 1); n < (t + 1) * (leaves - 1); ++n)
+      text +=
+          trees.splits[n].bin == kNoSplit ? " -" : fmt::format(" {}:{}", trees.splits[n].column, trees.splits[n].bin);
+    for (std::size_t n = t * leaves; n < (t + 1) * leaves; ++n) text += fmt::format(" {}", trees.leaves[n]);
+    text += "\n";
   }
   return text;
 }
 
-std::string RoleTreesReader::take(const std::string& line) {
+std::string role_trees_text(const RoleTrees& model) {
+  std::string text;
+  for (const ColumnTrees& stage : model.stages) text += column_trees_text("stage", stage);
+  return text;
+}
+
+std::string TreesReader::take(const std::string& line, std::size_t classes) {
   std::istringstream words(line);
   std::string word;
   words >> word;
-  if (word == "stage") return take_stage(words);
-  if (stages_ == 0) return "stands before any stage";
+  if (word == "classes") {
+    if (!classes_.empty() || open_ == &classes_) return "there are two lists of trees of the classes";
+    open_ = &classes_;
+    return begin(words, classes, kCandidateFeatures);
+  }
+  if (word == "stage") {
+    if (++stages_ > kRoleStages) return "there are too many stages";
+    open_ = &roles_.stages[stages_ - 1];
+    return begin(words, kCandidateKinds, stages_ == 1 ? kCandidateFeatures : kRoleColumns);
+  }
+  if (open_ == nullptr) return "stands before any stage";
   return word == "column" ? take_column(words) : take_tree(words);
 }
 
-std::string RoleTreesReader::take_stage(std::istringstream& words) {
-  if (++stages_ > kRoleStages) return "there are too many stages";
-  BoostedTrees& trees = stage().trees;
-  trees.classes = kCandidateKinds;
-  trees.first.resize(kCandidateKinds);
+std::string TreesReader::begin(std::istringstream& words, std::size_t classes, std::size_t columns) {
+  columns_ = columns;
+  BoostedTrees& trees = open_->trees;
+  trees.classes = classes;
+  trees.first.resize(classes);
   if (!next_number(words, trees.depth) || trees.depth == 0 || trees.depth > kMostDepth) return "there is no such depth";
   for (std::int32_t& first : trees.first)
-    if (!next_number(words, first)) return fmt::format("fewer than {} numbers", kCandidateKinds);
+    if (!next_number(words, first)) return fmt::format("fewer than {} numbers", classes);
   return {};
 }
 
-std::string RoleTreesReader::take_column(std::istringstream& words) {
+std::string TreesReader::take_column(std::istringstream& words) {
   std::size_t count = 0;
   if (!next_number(words, count) || count > 255) return "there is no such number of limits";
   std::vector<float> limits(count);
@@ -91,22 +103,22 @@ std::string RoleTreesReader::take_column(std::istringstream& words) {
   }
   std::string name;
   std::getline(words >> std::ws, name);
-  for (std::size_t c = 0; c < (stages_ == 1 ? kCandidateFeatures : kRoleColumns); ++c) {
+  for (std::size_t c = 0; c < columns_; ++c) {
     if (role_column_name(c) != name) continue;
-    stage().columns.push_back(c);
-    stage().trees.limits.push_back(limits);
+    open_->columns.push_back(c);
+    open_->trees.limits.push_back(limits);
     return {};
   }
   return "there is no column '" + name + "'";
 }
 
-std::string RoleTreesReader::take_tree(std::istringstream& words) {
-  BoostedTrees& trees = stage().trees;
+std::string TreesReader::take_tree(std::istringstream& words) {
+  BoostedTrees& trees = open_->trees;
   const std::size_t leaves = std::size_t{1} << trees.depth;
   std::string word;
   for (std::size_t n = 0; n + 1 < leaves; ++n) {
     trees.splits.emplace_back();
-    if (!(words >> word) || !split_of(word, stage(), trees.splits.back())) return "a node is none";
+    if (!(words >> word) || !split_of(word, *open_, trees.splits.back())) return "a node is none";
   }
   for (std::size_t n = 0; n < leaves; ++n) {
     trees.leaves.emplace_back();
@@ -115,13 +127,16 @@ std::string RoleTreesReader::take_tree(std::istringstream& words) {
   return {};
 }
 
-std::string RoleTreesReader::finish(RoleTrees& model) {
+std::string TreesReader::finish(RoleTrees& roles, ColumnTrees& classes) {
   if (stages_ != 0 && stages_ != kRoleStages) return "ends before its last stage";
   for (std::size_t s = 0; s < stages_; ++s) {
-    const BoostedTrees& trees = model_.stages[s].trees;
+    const BoostedTrees& trees = roles_.stages[s].trees;
     if (trees.trees() == 0 || trees.trees() % kCandidateKinds != 0) return "ends before its last tree";
   }
-  model = std::move(model_);
+  if (classes_.trees.classes != 0 && (classes_.empty() || classes_.trees.trees() % classes_.trees.classes != 0))
+    return "ends before the last tree of the classes";
+  roles = std::move(roles_);
+  classes = std::move(classes_);
   return {};
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "engine/products/streets/classes/object_model_functions.h"
-#include "engine/products/streets/classes/pair_coupling.h"
 #include "kernels/classifiers/radial_sums.h"
 #include "kernels/core/parallel.h"
 
@@ -64,26 +63,6 @@ PairDecisions pair_decisions(const ObjectModel& model, std::span<const Candidate
     const std::size_t first = part * kDecisionsGrain, count = std::min(kDecisionsGrain, candidates.size() - first);
     decide(model, classes, candidates.subspan(first, count), std::span(out.of).subspan(first * pairs, count * pairs),
            std::span(out.nearest).subspan(first * classes.size(), count * classes.size()));
-  });
-  return out;
-}
-
-std::vector<ClassShares> class_shares(const ObjectModel& model, std::span<const CandidateFeatures> candidates) {
-  if (model.classes.size() == 1) return std::vector<ClassShares>(candidates.size(), ClassShares{{1}, {1}});
-  const PairDecisions decided = pair_decisions(model, candidates);
-  std::vector<ClassShares> out(candidates.size());
-  parallel_for((candidates.size() + kDecisionsGrain - 1) / kDecisionsGrain, [&](std::size_t part) {
-    std::vector<double> first(decided.pairs);
-    for (std::size_t i = part * kDecisionsGrain; i < std::min(candidates.size(), (part + 1) * kDecisionsGrain); ++i) {
-      for (std::size_t p = 0; p < decided.pairs; ++p)
-        first[p] = sigmoid(model.slope[p] * decided.of[i * decided.pairs + p] + model.offset[p]);
-      const std::size_t k = model.classes.size();
-      const auto near = decided.nearest.begin() + static_cast<std::ptrdiff_t>(i * k);
-      out[i] = {coupled_pairs(first, k), {near, near + static_cast<std::ptrdiff_t>(k)}};
-      double sum = 0;
-      for (std::size_t c = 0; c < out[i].share.size(); ++c) sum += out[i].share[c] *= model.prior[c];
-      for (double& s : out[i].share) s /= sum;
-    }
   });
   return out;
 }

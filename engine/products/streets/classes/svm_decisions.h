@@ -18,10 +18,4 @@ struct PairDecisions {
 };
 PairDecisions pair_decisions(const ObjectModel& model, std::span<const CandidateFeatures> candidates);
 
-// The shares of all classes, which sum to 1, and the kernels to their nearest support vectors.
-struct ClassShares {
-  std::vector<double> share, nearest;
-};
-std::vector<ClassShares> class_shares(const ObjectModel& model, std::span<const CandidateFeatures> candidates);
-
 }  // namespace ilot

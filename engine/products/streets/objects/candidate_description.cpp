@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/products/streets/objects/candidate_shape.h"
 #include "kernels/core/portable_math.h"
 
 namespace ilot {
@@ -113,7 +114,9 @@ class Describer {
 
 std::vector<ObjectCandidate> describe(const PixelLabels& labels, const ComponentImages& images,
                                       const RasterScale& scale, const ObjectCandidateParams& params) {
-  return Describer(images, scale, params).described(labels);
+  std::vector<ObjectCandidate> out = Describer(images, scale, params).described(labels);
+  set_shapes(labels, images, scale, out);
+  return out;
 }
 
 }  // namespace ilot

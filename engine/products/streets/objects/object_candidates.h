@@ -33,8 +33,26 @@ enum class CandidateFeature : std::uint8_t {
   free_run,       // metres; longest run of bins in which it has points and touches nothing
   touch_share,    // share of its bins in which it touches another candidate
   joint_share,    // of a join: share of the bins of the part with fewer bins in which its two parts touch; else 1
+  // Of form, along and across the axis of the moments (candidate_shape.h).
+  box_length,  // metres; from the first to the last pixel
+  box_width,
+  box_fill,     // area divided by that of this box
+  high_length,  // metres; of the rectangle with the moments of its pixels above three quarters of its height
+  high_width,
+  high_share,    // share of its pixels that are above three quarters of its height
+  half_share,    // share above half of its height
+  ends_height,   // mean height of the outer quarters of its length divided by that of the middle half
+  sides_height,  // the same across
+  unevenness,    // metres; standard deviation of its heights from the best plane
+  foot_length,   // metres; of the rectangle with the moments of its pixels with a point in the lowest third of its
+                 // height
+  foot_width,
+  foot_share,   // share of its pixels with a point in the lowest third; 0 with no occupancy, as the next three
+  waist_share,  // in the middle third
+  head_share,   // in the highest third
+  solid_share,  // share of the bins of its pixels up to its top that contain a point
 };
-constexpr std::size_t kCandidateFeatures = kComponentFeatures + 20;
+constexpr std::size_t kCandidateFeatures = kComponentFeatures + 36;
 using CandidateFeatures = std::array<double, kCandidateFeatures>;
 const char* candidate_feature_name(std::size_t feature);
 

@@ -46,6 +46,41 @@ TEST(Objects, OtherIsRightForClassesThatTheProductDoesNotKnow) {
   EXPECT_FALSE(r.right_of_found.at(51));
 }
 
+const ClassNames kFine{{10, "car"}, {13, "other"}, {14, "van"}, {18, "bin"}, {19, "bench"}};
+
+// A bin that is called a bench is wrong among all classes and right among four; so is a van that is called a car.
+TEST(Objects, JudgesAllClassesAndFourGroups) {
+  const std::vector<TrueObject> truth{
+      {1, "bin", 10, true}, {2, "van", 10, true}, {3, "van", 10, true}, {4, "car", 10, true}};
+  const std::vector<LabelPair> pairs{{1, 51, 10}, {2, 52, 10}, {3, 53, 10}, {4, 0, 10}};
+  const std::vector<LabelPair> labels{{51, 19, 10}, {52, 10, 10}, {53, 14, 10}};
+  const ObjectResult r = evaluate_objects(truth, pairs, labels, kFine);
+  EXPECT_NEAR(r.right_class.value(), 0.25, 1e-12);  // no bin, one van of two
+  EXPECT_NEAR(r.right_group.value(), 1, 1e-12);
+  ASSERT_EQ(r.classes.size(), 3u);
+  EXPECT_EQ(r.classes[2].name, "van");
+  EXPECT_EQ(r.classes[2].truth, 2u);
+  EXPECT_EQ(r.classes[2].detected, 2u);
+  EXPECT_EQ(r.classes[2].right, 1u);
+  ASSERT_EQ(r.groups.size(), 2u);
+  EXPECT_EQ(r.groups[0].name, "car");
+  EXPECT_EQ(r.groups[0].truth, 3u);
+  EXPECT_EQ(r.groups[0].right, 2u);
+  EXPECT_FALSE(r.right_of_found.at(51));
+}
+
+TEST(Objects, TruthsOfEarlierVersionsHaveFourClasses) {
+  const std::vector<TrueObject> truth{{1, "other", 10}, {2, "car", 10}, {3, "other", 10}};
+  const std::vector<LabelPair> pairs{{1, 51, 10}, {2, 52, 10}, {3, 53, 10}};
+  const std::vector<LabelPair> labels{{51, 18, 10}, {52, 14, 10}, {53, 10, 10}};
+  const ObjectResult r = evaluate_objects(truth, pairs, labels, kFine);
+  EXPECT_NEAR(r.right_class.value(), 0.75, 1e-12);  // the bin is one of the others, the last is no car
+  EXPECT_EQ(r.right_class, r.right_group);
+  EXPECT_EQ(r.confusion.classes, (std::vector<std::string>{"car", "other"}));
+  EXPECT_TRUE(r.right_of_found.at(51));
+  EXPECT_FALSE(r.right_of_found.at(53));
+}
+
 TEST(Objects, HalfOfBothTogetherIsEnough) {
   const std::vector<TrueObject> truth{{1, "car", 10}};
   const auto detected = [&](std::uint64_t common) {

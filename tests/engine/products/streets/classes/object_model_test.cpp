@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/error.h"
+#include "engine/products/streets/classes/role_trees_text.h"
 #include "kernels/core/parallel.h"
 #include "kernels/core/rng.h"
 #include "training/object_model_training.h"
@@ -67,6 +68,69 @@ TEST(ObjectModel, TextAndBack) {
     EXPECT_NEAR(classify_candidate(back, s.features).probability, classify_candidate(model, s.features).probability,
                 1e-3);
   }
+}
+
+ObjectModel model_of_trees(std::uint64_t seed) {
+  ObjectTrainingParams params;
+  params.classes = ClassMethod::trees;
+  ObjectModel model;
+  train_classes(samples_of(60, seed), params, model);
+  return model;
+}
+
+TEST(ObjectModel, ClassesOfTreesAreThoseOfTheirTextToo) {
+  const ObjectModel model = model_of_trees(12);
+  EXPECT_TRUE(model.weights.empty());  // no machine
+  const std::string text = object_model_text(model);
+  const ObjectModel back = parse_object_model(text, "test");
+  EXPECT_EQ(object_model_text(back), text);
+  std::size_t right = 0;
+  const auto others = samples_of(60, 13);
+  for (const TrainingSample& s : others) {
+    const CandidateClass c = classify_candidate(back, s.features);
+    EXPECT_EQ(c.label, classify_candidate(model, s.features).label);
+    EXPECT_NEAR(c.probability, classify_candidate(model, s.features).probability, 1e-9);
+    right += c.label == s.label;
+  }
+  EXPECT_GE(right, others.size() * 95 / 100);
+  EXPECT_THROW(parse_object_model(text.substr(0, text.rfind("tree")), "test"), Error);
+  EXPECT_THROW(parse_object_model(text.substr(text.find("class", text.find("class") + 1)), "test"), Error);
+}
+
+// Half of the labels of two classes are drawn at random, so no probability of these may be near 1.
+TEST(ObjectModel, ProbabilitiesOfTreesAreThoseOfUnseenSamples) {
+  const auto drawn = [](std::uint64_t seed) {
+    auto samples = samples_of(200, seed);
+    Rng rng(seed, 5);
+    for (TrainingSample& s : samples)
+      if (s.label != PointLabel::car) s.label = kLabels[1 + rng.below(2)];
+    return samples;
+  };
+  ObjectTrainingParams params;
+  params.classes = ClassMethod::trees;
+  ObjectModel model;
+  train_classes(drawn(14), params, model);
+  double stated = 0, right = 0, count = 0;
+  for (const TrainingSample& s : drawn(15)) {
+    const CandidateClass c = classify_candidate(model, s.features);
+    if (s.label == PointLabel::car || c.label == PointLabel::car) continue;
+    stated += c.probability, right += c.label == s.label, ++count;
+  }
+  EXPECT_NEAR(stated / count, right / count, 0.15);
+}
+
+// Other classes may be learnt for the roles that a model has.
+TEST(ObjectModel, TrainingClassesKeepsTheRoles) {
+  auto samples = samples_of(40, 16);
+  for (TrainingSample& s : samples)
+    if (s.label == PointLabel::pedestrian) s.role = CandidateRole::part;
+  ObjectModel model = train_roles(samples);
+  const std::string roles = role_trees_text(model.trees);
+  ObjectTrainingParams params;
+  params.classes = ClassMethod::trees;
+  train_classes(samples, params, model);
+  EXPECT_EQ(role_trees_text(model.trees), roles);
+  EXPECT_EQ(model.classes, (std::vector{PointLabel::car, PointLabel::lamppost}));
 }
 
 // One class of objects is left, so there is no machine.
@@ -177,7 +241,7 @@ TEST(ObjectModel, TheLibrarysHaveTheirRecipes) {
     EXPECT_FALSE(model->recipe.empty());
     for (const PointLabel label : {PointLabel::car, PointLabel::lamppost, PointLabel::pedestrian, PointLabel::other})
       EXPECT_EQ(std::count(model->classes.begin(), model->classes.end(), label), 1);
-    EXPECT_EQ(model->classes.size(), 4u);
+    EXPECT_EQ(model->classes.size(), 13u);
     EXPECT_FALSE(model->trees.empty());
   }
 }

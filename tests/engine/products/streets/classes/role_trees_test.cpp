@@ -45,11 +45,12 @@ std::string text_of(const RoleTrees& model) {
 }
 
 std::string read(const std::string& text, RoleTrees& model) {
-  RoleTreesReader reader;
+  TreesReader reader;
+  ColumnTrees classes;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);)
-    if (const std::string wrong = reader.take(line); !wrong.empty()) return wrong;
-  return reader.finish(model);
+    if (const std::string wrong = reader.take(line, 0); !wrong.empty()) return wrong;
+  return reader.finish(model, classes);
 }
 
 TEST(CandidateRelations, OfATreeOfFive) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/products/streets/classes/class_shares.h"
 #include "engine/products/streets/classes/object_model_functions.h"
 #include "kernels/core/parallel.h"
 #include "kernels/core/rng.h"
