@@ -54,6 +54,8 @@ void check_asked(const PlanOptions& options) {
                     ", and joining them is not built yet; there is: roofs (make the others with ilot run)",
                 ExitCode::usage);
   }
+  if (options.run.settings.roofs.dtm)
+    throw Error("roofs.dtm: a plan makes no terrain model; make it with ilot run", ExitCode::usage);
   const fs::path& folder = options.run.output;
   if (fs::exists(folder / kPlanFile))
     throw Error(folder.string() + ": contains a plan already; give another -o or remove it", ExitCode::usage);
