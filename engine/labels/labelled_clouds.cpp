@@ -64,6 +64,23 @@ struct Stretch {
 
 enum class Kept { valid_rows, all_rows };
 
+// Gives the rows that nobody classified (0 and 1) the class of the ASPRS that follows from their label. Other classes
+// stay.
+void write_classes(const StretchLabels& labels, std::uint8_t point_format, std::size_t length, Stretch& s) {
+  constexpr std::uint8_t kUnclassified = 1, kGround = 2, kBuilding = 6;
+  for (std::size_t i = 0; i < s.valid.size(); ++i) {
+    if (s.valid[i] == 0) continue;
+    const PointLabel label = labels.classes[i];
+    const bool building = label == PointLabel::roof || label == PointLabel::wall || label == PointLabel::facade;
+    if (!building && label != PointLabel::ground) continue;
+    const std::span row(s.rows.data() + i * length, length);
+    PointFields fields = decode_fields(row, point_format);
+    if (fields.classification > kUnclassified) continue;
+    fields.classification = building ? kBuilding : kGround;
+    encode_fields(fields, row, point_format);
+  }
+}
+
 // The rows, each with its labels after it.
 std::vector<std::byte> joined_rows(const Stretch& s, std::size_t length, std::size_t appended_length, Kept kept) {
   std::vector<std::byte> out;
@@ -82,12 +99,13 @@ std::vector<std::byte> joined_rows(const Stretch& s, std::size_t length, std::si
 class Labeller {
  public:
   Labeller(const Store& store, const std::vector<BlockRows>& blocks, std::span<const ProductLabels> products,
-           const PassContext& context, PointReader& input, std::uint32_t file)
+           const LabelledCloudParams& params, PointReader& input, std::uint32_t file)
       : store_(store),
         blocks_(blocks),
         products_(products),
         fields_(appended_fields(products)),
-        context_(context),
+        context_(params.context),
+        classes_(params.classes),
         input_(input),
         file_(file) {}
 
@@ -99,7 +117,9 @@ class Labeller {
     for (const AppendedField& f : fields_) spec.appended.push_back(f.field.field);
     spec.waiting_bytes = affordable(context_.budget_bytes) / 2;  // the other half is for stretches
     if (is_in_memory(spec.like)) return copy(*create_npy(path, spec), Kept::all_rows);
-    if (const auto extender = LazExtender::open(reader_of_records(input_), path, spec)) return extend(*extender);
+    // Where classes change, the compressed fields of the input cannot be kept.
+    if (!classes_)
+      if (const auto extender = LazExtender::open(reader_of_records(input_), path, spec)) return extend(*extender);
     return copy(*create_cloud(path, spec), Kept::valid_rows);
   }
 
@@ -179,6 +199,7 @@ class Labeller {
                             store_.unit() * context_.metres_per_unit};
     s.appended.resize(count * appended_length);
     write_fields(fields_, labels, rows, {s.appended.data(), appended_length});
+    if (classes_) write_classes(labels, input_.info().layout.point_format, length, s);
     for (std::size_t i = 0; i < count; ++i)
       if (s.valid[i] != 0) s.labelled += labels.labelled[i];
     return s;
@@ -189,6 +210,7 @@ class Labeller {
   std::span<const ProductLabels> products_;
   std::vector<AppendedField> fields_;
   const PassContext& context_;
+  bool classes_;
   PointReader& input_;
   std::uint32_t file_;
 };
@@ -246,13 +268,13 @@ void check_labelled_clouds(const std::vector<std::unique_ptr<PointReader>>& inpu
 
 std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                                     std::span<const ProductLabels> products, const fs::path& folder,
-                                    const PassContext& context) {
+                                    const LabelledCloudParams& params) {
   fs::create_directories(folder);
   const std::vector<BlockRows> blocks = sample_rows(store);
   const std::vector<std::string> names = labelled_names(inputs);
   std::uint64_t labelled = 0;
   for (std::uint32_t f = 0; f < inputs.size(); ++f)
-    labelled += Labeller(store, blocks, products, context, *inputs[f], f).write(folder / names[f]);
+    labelled += Labeller(store, blocks, products, params, *inputs[f], f).write(folder / names[f]);
   return labelled;
 }
 

@@ -32,10 +32,15 @@ std::uint64_t write_labelled_cloud(const Store& store, PointReader& input, std::
                                    std::span<const ProductLabels> products, const std::filesystem::path& path,
                                    const PassContext& context);
 
+struct LabelledCloudParams {
+  PassContext context = {};
+  bool classes = false;  // true: points of the classes 0 and 1 with a label get class 2 (ground) or 6 (building)
+};
+
 // Writes a compressed file folder/NAME for every input, with NAME from labelled_names(); of a cloud in memory the
 // labels alone, as an array. Returns the number of points with a label.
 std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                                     std::span<const ProductLabels> products, const std::filesystem::path& folder,
-                                    const PassContext& context);
+                                    const LabelledCloudParams& params);
 
 }  // namespace ilot

@@ -215,7 +215,8 @@ void make_products(const RunOptions& options, const RunInputs& inputs, const std
   if (options.clouds) {
     progress.begin_stage("write", inputs.points);
     rows_pass(index.store, labels, context);
-    labelled = write_labelled_clouds(index.store, inputs.readers, labels, out.staging() / "points", context);
+    labelled = write_labelled_clouds(index.store, inputs.readers, labels, out.staging() / "points",
+                                     {context, options.settings.classes.write});
     const std::vector<std::string> names = labelled_names(inputs.readers);
     for (std::size_t i = 0; i < names.size(); ++i) record.inputs[i].output = "points/" + names[i];
     progress.end_stage();

@@ -133,6 +133,10 @@ Parameters roofs_parameters() {
            "roof faces that differ by less are drawn as one; 0 draws every plane that is found"),
       make("roofs.superstructures", ILOT_FIELD(roofs.superstructures), {}, "",
            "false leaves out what stands on the main roof: dormers, chimneys"),
+      make("roofs.lod13_step", ILOT_FIELD(roofs.lod13_step), {0, 100}, "m",
+           "parts of a roof that differ by less in height are one in LoD1.3; 0: no LoD1.3"),
+      make("roofs.dtm", ILOT_FIELD(roofs.dtm), {}, "",
+           "true writes a terrain model beside the roofs: the heights of the ground as a GeoTIFF"),
       with_choices(make("roofs.attribute_style", ILOT_FIELD(roofs.attribute_style), {}, "",
                         "what attributes of buildings are called: docs/outputs.md"),
                    kAttributeStyles),
@@ -320,6 +324,8 @@ Parameters classes_parameters() {
       make("classes.ground", ILOT_FIELD(classes.ground), {0, 255}, "", "class codes of the ground"),
       make("classes.building", ILOT_FIELD(classes.building), {0, 255}, "", "class codes of buildings"),
       make("classes.noise", ILOT_FIELD(classes.noise), {0, 255}, "", "class codes of points that no product uses"),
+      make("classes.write", ILOT_FIELD(classes.write), {}, "",
+           "true: points of the classes 0 and 1 get class 2 on the ground and 6 on buildings in the labelled clouds"),
   };
 }
 

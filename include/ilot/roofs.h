@@ -55,12 +55,13 @@ double volume_m3(const Building& building, double metres_per_unit);
 // A building as a run wrote it.
 struct BuildingModel {
   std::string id;                // the footprint's, or of the place of the building
-  std::vector<Building> levels;  // lowest level of detail first: "1.2" and "2.2", or "0", the outline on the ground
+  std::vector<Building> levels;  // lowest level of detail first: "0", the outline on the ground, "1.2", "1.3", "2.2"
 
   // In both styles of names (settings.roofs.attribute_style) as the file has them. Units and meanings: docs/outputs.md.
   //   status: lod22, lod12 or footprint_only; reason: in words, why not lod22
   //   points; unit_id: of its points in the labelled clouds; roof_faces; roof_type
   //   h_ground, h_roof_min, h_roof_50, h_roof_70, h_roof_max: CRS units; area_m2 of the outline
+  //   volume_lod12_m3, volume_lod13_m3, volume_lod22_m3; party_wall_m2, exterior_wall_m2: of its walls
   //   rmse_m: root mean square distance of the points from their faces; coverage: share of the outline with points
   std::vector<std::pair<std::string, AttributeValue>> attributes;
 

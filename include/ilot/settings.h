@@ -97,6 +97,8 @@ struct RoofsSettings {
   std::optional<double> least_face_area;   // m2; smaller faces go to their neighbour
   double detail = 0.15;                    // metres; faces that differ by less are drawn as one; 0 = every plane
   bool superstructures = true;             // false: the main roof alone
+  double lod13_step = 3;                   // metres between parts of LoD1.3; 0 = no LoD1.3
+  bool dtm = false;                        // true: a raster of the heights of the ground
   AttributeStyle attribute_style = AttributeStyle::plain;
   AdvancedRoofs advanced;
 };
@@ -144,6 +146,7 @@ struct ClassesSettings {
   std::vector<int> ground{2};
   std::vector<int> building{6};
   std::vector<int> noise{7, 18};
+  bool write = false;  // true: points of classes 0 and 1 get the class of the ground or of buildings in labelled clouds
 };
 
 struct Settings {

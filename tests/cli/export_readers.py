@@ -57,6 +57,18 @@ def city_models(path):
     return models
 
 
+def fan(vertices, face):
+    """The corners of a face as triangles about its first corner: signed, so that holes and notches are taken off."""
+    first = vertices[face[0][0]]
+    return [(first, vertices[a], vertices[b]) for ring in face for a, b in zip(ring, ring[1:] + ring[:1])]
+
+
+def area(vertices, face):
+    triangles = fan(vertices, face)
+    sums = [cross(minus(b, a), minus(c, a)) for a, b, c in triangles]
+    return length(tuple(sum(s[k] for s in sums) for k in range(3))) / 2
+
+
 def mesh_faults(triangles):
     """How many directed edges have not exactly one opposite; triangles of corners that are equal where they meet."""
     edges = collections.Counter((t[i], t[(i + 1) % 3]) for t in triangles for i in range(3))

@@ -205,6 +205,40 @@ class Outputs(unittest.TestCase):
                                        if v["type"] == "Building"})
         self.assertTrue(readers.read_ply(self.made / "roofs.ply")[2])
 
+    def test_levels_of_roofs(self):
+        """By JSON and our own arithmetic alone: levels of detail, volumes, walls and the heights of faces."""
+        lines = (self.out / "roofs" / "roofs.city.jsonl").read_text().splitlines()
+        head = json.loads(lines[0])
+        self.assertEqual(head["metadata"]["sources"]["files"], "run.json")
+        self.assertTrue((self.out / head["metadata"]["sources"]["files"]).exists())
+        models = readers.city_models(self.out / "roofs" / "roofs.city.jsonl")
+        steps = 0
+        for line in lines[1:]:
+            feature = json.loads(line)
+            thing = feature["CityObjects"][feature["id"]]
+            attributes, levels = models[feature["id"]]
+            self.assertEqual([g["lod"] for g in thing["geometry"]][:1], ["0"])
+            if attributes["status"] != "lod22":
+                continue
+            self.assertEqual([g["lod"] for g in thing["geometry"]], ["0", "1.2", "1.3", "2.2"])
+            for lod, name in (("1.2", "volume_lod12_m3"), ("1.3", "volume_lod13_m3"), ("2.2", "volume_lod22_m3")):
+                triangles = [t for face in levels[lod].faces for t in readers.fan(levels[lod].vertices, face)]
+                self.assertAlmostEqual(readers.mesh_volume(triangles), attributes[name], delta=1e-3 * attributes[name] + 0.01)
+            level = {round(levels["1.3"].vertices[face[0][0]][2], 4)
+                     for face, kind in zip(levels["1.3"].faces, levels["1.3"].kinds) if kind == "RoofSurface"}
+            steps += len(level) > 1
+            walls = sum(readers.area(levels["2.2"].vertices, face)
+                        for face, kind in zip(levels["2.2"].faces, levels["2.2"].kinds) if kind == "WallSurface")
+            self.assertAlmostEqual(attributes["party_wall_m2"] + attributes["exterior_wall_m2"], walls, delta=0.01 + 1e-4 * walls)
+            geometry = thing["geometry"][-1]
+            for face, surface in zip(geometry["boundaries"][0], geometry["semantics"]["surfaces"]):
+                if surface["type"] != "RoofSurface":
+                    continue
+                z = [levels["2.2"].vertices[v][2] for ring in face for v in ring]
+                self.assertAlmostEqual(surface["h_roof_min"], min(z), 2)
+                self.assertAlmostEqual(surface["h_roof_max"], max(z), 2)
+                self.assertTrue(surface["h_roof_min"] <= surface["h_roof_50"] <= surface["h_roof_70"] <= surface["h_roof_max"])
+
     @unittest.skipUnless(shutil.which("pdftotext"), "no pdftotext (apt install poppler-utils)")
     def test_sheets(self):
         for path in self.files(".pdf"):

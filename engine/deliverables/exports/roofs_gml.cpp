@@ -89,12 +89,12 @@ std::string polygons(const Building& level) {
   return members;
 }
 
-// Levels in the order of the schema: footprint, lod1, lod2.
+// Levels in the order of the schema: footprint, lod1, lod2. It has one place for LoD1, which LoD1.2 takes.
 std::string geometry_text(const BuildingModel& model, std::uint64_t number, const std::string& srs) {
   std::string text;
   for (const char first : {'0', '1', '2'})
     for (const Building& level : model.levels) {
-      if (level.surfaces.empty() || level.lod[0] != first) continue;
+      if (level.surfaces.empty() || level.lod[0] != first || level.lod == "1.3") continue;
       if (first == '0')
         text += fmt::format("<bldg:lod0FootPrint><gml:MultiSurface{}>\n{}</gml:MultiSurface></bldg:lod0FootPrint>\n",
                             srs, polygons(level));

@@ -10,6 +10,7 @@ namespace {
 
 OGRPolygon polygon_of(const Building& building, const BuildingSurface& surface, bool flat) {
   OGRPolygon polygon;
+  bool hole = false;
   if (!flat) polygon.set3D(true);
   for (const auto& ring : surface.rings) {
     OGRLinearRing closed;
@@ -18,7 +19,8 @@ OGRPolygon polygon_of(const Building& building, const BuildingSurface& surface, 
       flat ? closed.addPoint(p.x, p.y) : closed.addPoint(p.x, p.y, p.z);
     }
     closed.closeRings();
-    if (flat) closed.reversePoints();  // ground faces down
+    if (flat && closed.isClockwise() != hole) closed.reversePoints();  // the floor of a solid faces down
+    hole = true;
     polygon.addRing(&closed);
   }
   return polygon;
@@ -85,7 +87,7 @@ struct RoofsGpkg::Layers {
       set(feature, "building", building.id);
       set(feature, "lod", building.lod);
       set(feature, "plane_id", std::int64_t{surface.plane_id});
-      for (const auto& [name, value] : face_attributes(surface_shape(building, surface, metres_per_unit), style))
+      for (const auto& [name, value] : face_attributes(building, surface, style, metres_per_unit))
         set(feature, name, value);
       OGRPolygon polygon = polygon_of(building, surface, false);
       feature.SetGeometry(&polygon);
@@ -103,8 +105,7 @@ RoofsGpkg::~RoofsGpkg() = default;
 void RoofsGpkg::add(std::span<const Building> levels) {
   OGRFeature feature(layers_->buildings.GetLayerDefn());
   set(feature, "id", levels[0].id);
-  for (const auto& [name, value] : styled_attributes(levels, layers_->style, layers_->metres_per_unit))
-    set(feature, name, value);
+  for (const auto& [name, value] : styled_attributes(levels[0].attributes, layers_->style)) set(feature, name, value);
   OGRMultiPolygon outline = outline_of(levels);
   feature.SetGeometry(&outline);
   layers_->file.add(layers_->buildings, feature);

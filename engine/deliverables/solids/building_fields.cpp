@@ -34,6 +34,13 @@ constexpr BuildingField kBuildingFields[] = {
     {"h_roof_70", kReal, "CRS", "height that 70% of them do not exceed", "rf_h_roof_70p"},
     {"h_roof_max", kReal, "CRS", "height of the highest of them", "rf_h_roof_max"},
     {"area_m2", kReal, "m2", "of the outline", nullptr},
+    {"volume_lod12_m3", kReal, "m3", "of the solid of LoD 1.2", "rf_volume_lod12"},
+    {"volume_lod13_m3", kReal, "m3", "of the solid of LoD 1.3", "rf_volume_lod13"},
+    {"volume_lod22_m3", kReal, "m3", "of the solid of LoD 2.2", "rf_volume_lod22"},
+    {"party_wall_m2", kReal, "m2",
+     "area of the walls of the highest level of detail that stand against another building: see `roofs.md`", nullptr},
+    {"exterior_wall_m2", kReal, "m2", "area of all its other walls, those between two heights of its roof too",
+     nullptr},
     {"roof_faces", kWhole, "", "of LoD 2.2", "rf_roof_planes"},
     {"roof_type", kText, "",
      "`horizontal`, `multiple horizontal`, `slanted` (some face leans more than 5 degrees), `unknown` (no face), `no "
@@ -63,6 +70,10 @@ constexpr BuildingField kFaceFields[] = {
     {"slope_deg", kReal, "deg", "between the face and the level", "rf_slope"},
     {"azimuth_deg", kReal, "deg", "where the face looks, clockwise from north; none for level faces", "rf_azimuth"},
     {"area_m2", kReal, "m2", "in space, holes taken off", nullptr},
+    {"h_roof_min", kReal, "CRS", "height of its lowest corner: of the eaves", "rf_h_roof_min"},
+    {"h_roof_50", kReal, "CRS", "height that half of the face, seen from above, does not exceed", "rf_h_roof_50p"},
+    {"h_roof_70", kReal, "CRS", "height that 70 % of it do not exceed", "rf_h_roof_70p"},
+    {"h_roof_max", kReal, "CRS", "height of its highest corner: of the ridge", "rf_h_roof_max"},
 };
 
 // Additional attributes of roofer that follow from others.
@@ -74,8 +85,6 @@ constexpr BuildingField kRooferFields[] = {
      "`standard` for `lod22`, `lod11_fallback` for `lod12`, `skip` for `footprint_only`", nullptr},
     {"rf_nodata_frac", kReal, "", "1 - `coverage`", nullptr},
     {"rf_pt_density", kReal, "1/m2", "`points` over `area_m2`", nullptr},
-    {"rf_volume_lod12", kReal, "m3", "of the solid of LoD 1.2", nullptr},
-    {"rf_volume_lod22", kReal, "m3", "of the solid of LoD 2.2", nullptr},
 };
 
 std::string styled_name(const std::string& name, std::span<const BuildingField> fields, AttributeStyle style) {
@@ -90,8 +99,7 @@ const T* value_of(const Attributes& attributes, const char* name) {
   return nullptr;
 }
 
-void add_roofers_own(std::span<const Building> levels, double metres_per_unit, Attributes& out) {
-  const Attributes& plain = levels[0].attributes;
+void add_roofers_own(const Attributes& plain, Attributes& out) {
   if (const auto* status = value_of<std::string>(plain, "status")) {
     const bool none = *status == "footprint_only";
     out.emplace_back("rf_success", !none);
@@ -103,11 +111,6 @@ void add_roofers_own(std::span<const Building> levels, double metres_per_unit, A
   const auto* points = value_of<std::int64_t>(plain, "points");
   const auto* area = value_of<double>(plain, "area_m2");
   if (points && area && *area > 0) out.emplace_back("rf_pt_density", static_cast<double>(*points) / *area);
-  for (const Building& level : levels) {
-    if (level.surfaces.empty()) continue;
-    if (level.lod == "1.2") out.emplace_back("rf_volume_lod12", volume_m3(level, metres_per_unit));
-    if (level.lod == "2.2") out.emplace_back("rf_volume_lod22", volume_m3(level, metres_per_unit));
-  }
 }
 
 std::vector<std::pair<std::string, FieldKind>> columns_of(std::span<const BuildingField> fields, AttributeStyle style) {
@@ -134,15 +137,14 @@ std::span<const BuildingField> face_fields() {
   return kFaceFields;
 }
 
-Attributes styled_attributes(std::span<const Building> levels, AttributeStyle style, double metres_per_unit) {
-  if (levels.empty()) return {};
-  if (style == AttributeStyle::plain) return levels[0].attributes;
+Attributes styled_attributes(const Attributes& plain, AttributeStyle style) {
+  if (style == AttributeStyle::plain) return plain;
   Attributes out;
-  const auto* status = value_of<std::string>(levels[0].attributes, "status");
+  const auto* status = value_of<std::string>(plain, "status");
   const bool block = status != nullptr && *status == "lod12";
-  for (const auto& [name, value] : levels[0].attributes)
+  for (const auto& [name, value] : plain)
     out.emplace_back(block && name == "rmse_m" ? kBlockRmse : styled_name(name, kBuildingFields, style), value);
-  add_roofers_own(levels, metres_per_unit, out);
+  add_roofers_own(plain, out);
   return out;
 }
 
@@ -171,11 +173,24 @@ std::vector<std::pair<std::string, FieldKind>> face_columns(AttributeStyle style
   return columns_of(kFaceFields, style);
 }
 
-Attributes face_attributes(const SurfaceShape& shape, AttributeStyle style) {
-  Attributes out{{styled_name("slope_deg", kFaceFields, style), shape.slope_deg}};
-  if (shape.azimuth_deg >= 0) out.emplace_back(styled_name("azimuth_deg", kFaceFields, style), shape.azimuth_deg);
-  out.emplace_back(styled_name("area_m2", kFaceFields, style), shape.area_m2);
+Attributes face_attributes(const SurfaceShape& shape, const FaceHeights& heights, AttributeStyle style) {
+  Attributes out;
+  const auto add = [&](const char* name, double value) {
+    out.emplace_back(styled_name(name, kFaceFields, style), value);
+  };
+  add("slope_deg", shape.slope_deg);
+  if (shape.azimuth_deg >= 0) add("azimuth_deg", shape.azimuth_deg);
+  add("area_m2", shape.area_m2);
+  add("h_roof_min", heights.min);
+  add("h_roof_50", heights.half);
+  add("h_roof_70", heights.seven_tenths);
+  add("h_roof_max", heights.max);
   return out;
+}
+
+Attributes face_attributes(const Building& building, const BuildingSurface& surface, AttributeStyle style,
+                           double metres_per_unit) {
+  return face_attributes(surface_shape(building, surface, metres_per_unit), face_heights(building, surface), style);
 }
 
 std::string building_fields_markdown() {

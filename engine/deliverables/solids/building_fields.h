@@ -9,6 +9,7 @@
 
 #include "engine/model/building.h"
 #include "engine/model/building_geometry.h"
+#include "engine/model/face_heights.h"
 #include "engine/settings/settings.h"
 
 namespace ilot {
@@ -30,10 +31,10 @@ std::span<const BuildingField> face_fields();
 using Attributes = std::vector<std::pair<std::string, AttributeValue>>;
 using Columns = std::vector<std::pair<std::string, FieldKind>>;
 
-// Returns the attributes of a building in a style; `levels` are its levels of detail as they are written. roofer's
-// style renames attributes and adds those that follow from others: rf_success, rf_extrusion_mode, rf_nodata_frac,
-// rf_pt_density, rf_volume_lod12 and _lod22. Attributes that are in no table stay as they are.
-Attributes styled_attributes(std::span<const Building> levels, AttributeStyle style, double metres_per_unit);
+// Returns the attributes of a building in a style. roofer's style renames attributes and adds those that follow from
+// others: rf_success, rf_extrusion_mode, rf_nodata_frac and rf_pt_density. Attributes that are in no table stay as they
+// are.
+Attributes styled_attributes(const Attributes& plain, AttributeStyle style);
 
 // Return the columns that styled_attributes() may give, with their kinds, and the columns of faces, plane_id first.
 std::vector<std::pair<std::string, FieldKind>> attribute_columns(AttributeStyle style);
@@ -45,8 +46,12 @@ std::vector<std::string> names_of(const BuildingField& field);
 // True for the names of the tables, in both styles; others are a footprint's.
 bool is_measured(const std::string& name);
 
-// Returns slope, azimuth (not for horizontal faces) and area of a roof face.
-Attributes face_attributes(const SurfaceShape& shape, AttributeStyle style);
+// Returns slope, azimuth (not for horizontal faces), area and heights of a roof face.
+Attributes face_attributes(const SurfaceShape& shape, const FaceHeights& heights, AttributeStyle style);
+
+// The same of a face of a building.
+Attributes face_attributes(const Building& building, const BuildingSurface& surface, AttributeStyle style,
+                           double metres_per_unit);
 
 // Returns both tables as docs/outputs.md shows them.
 std::string building_fields_markdown();

@@ -34,6 +34,7 @@ std::string metadata_text(const CityJsonParams& p) {
   if (!p.title.empty()) add("title", quoted(p.title));
   if (!p.software.empty()) add("software", quoted(p.software));
   if (!p.parameters.empty()) add("parameters", p.parameters);
+  if (!p.sources.empty()) add("sources", p.sources);
   return text;
 }
 
@@ -69,8 +70,7 @@ std::string semantic_text(const Building& building, const BuildingSurface& surfa
   std::string text = fmt::format(R"({{"type":"{}")", surface_type(surface.kind));
   if (surface.plane_id > 0) text += fmt::format(R"(,"plane_id":{})", surface.plane_id);
   if (surface.kind == SurfaceKind::roof)
-    text +=
-        "," + attributes_text(face_attributes(surface_shape(building, surface, params.metres_per_unit), params.style));
+    text += "," + attributes_text(face_attributes(building, surface, params.style, params.metres_per_unit));
   return text + "}";
 }
 
@@ -109,7 +109,7 @@ std::string object_text(std::span<const Building> levels, std::span<const std::v
     geometry += (geometry.empty() ? "" : ",") + geometry_text(levels[i], numbers[i], params);
   }
   return fmt::format(R"({}:{{"type":"Building","attributes":{{{}}},"geometry":[{}]}})", quoted(levels[0].id),
-                     attributes_text(styled_attributes(levels, params.style, params.metres_per_unit)), geometry);
+                     attributes_text(styled_attributes(levels[0].attributes, params.style)), geometry);
 }
 
 template <class Steps>

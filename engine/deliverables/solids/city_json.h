@@ -25,8 +25,8 @@ struct CityJsonParams {
   double step = 0.0001;  // CRS units. Flat faces stay flat within 0.87 steps
   AttributeStyle style = AttributeStyle::plain;
   double metres_per_unit = 1;
-  std::string title = {}, software = {},
-              parameters = {};                       // of the metadata; parameters: an object of JSON; empty: none
+  // Of the metadata; parameters and sources are objects of JSON; empty: none.
+  std::string title = {}, software = {}, parameters = {}, sources = {};
   std::optional<std::array<double, 6>> extent = {};  // lowest x, y, z and highest x, y, z; CRS units
 };
 

@@ -12,6 +12,7 @@
 #include "engine/products/roofs/make_roofs.h"
 #include "engine/products/roofs/roof_labels.h"
 #include "engine/products/roofs/roof_roles.h"
+#include "engine/products/roofs/terrain_model.h"
 #include "engine/report/counted.h"
 
 namespace ilot {
@@ -66,6 +67,18 @@ void note_clusters_without_model(Progress& progress, const ClustersRecord& clust
                 " no model (" + text + ")");
 }
 
+void make_terrain(ProductRun& run) {
+  run.progress.begin_stage("terrain", run.store.points(), {run.store.points(), "points"});
+  const TerrainModel model = write_terrain_model(run.store, run.folder / "roofs", run.inputs.crs, run.context);
+  run.progress.end_stage();
+  if (model.pixel_m > 0)
+    run.record.chosen.push_back(
+        {"roofs.dtm", fmt::format("{} m", model.pixel_m),
+         fmt::format("side of its pixels; {:.3g} points of the ground per square metre", model.density_m2)});
+  else
+    run.progress.warn("roofs.dtm: no point of the ground was found, so there is no terrain model");
+}
+
 void make(ProductRun& run) {
   make_roles(run);
   const bool given = run.footprints != nullptr;
@@ -74,6 +87,7 @@ void make(ProductRun& run) {
   const std::vector<PlannedSite>& sites = given ? *run.footprints : clusters;
   make_roofs(run.store, sites, run.settings, run.inputs.crs, run.context,
              {run.folder / "roofs", run.progress, run.record});
+  if (run.settings.roofs.dtm) make_terrain(run);
   if (given)
     resolve_skipped_footprints(names_of(sites, extent_of_points(run.store, run.context)), run.progress, run.record);
   if (!given) note_clusters_without_model(run.progress, *run.record.clusters);

@@ -27,6 +27,7 @@ RoofModelParams model_params(const RoofsSettings& s) {
   params.min_points = s.min_points.value_or(0);
   params.least_face_area = s.least_face_area.value_or(0);
   params.detail = s.detail;
+  params.lod13_step = s.lod13_step;
   params.superstructures = s.superstructures;
   params.normal_angle = s.advanced.normal_angle;
   params.same_angle = s.advanced.same_angle;

@@ -1,11 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/products/roofs/roof_sink.h"
 
+#include <nlohmann/json.hpp>
+
 namespace ilot {
+namespace {
+
+// What the buildings were made from, as an object of JSON. Names of files are in run.json: the models do not depend on
+// how the points lie in files.
+RoofFilesParams with_sources(RoofFilesParams params, const RunRecord& record) {
+  nlohmann::ordered_json sources = nlohmann::ordered_json::object();
+  if (record.footprints) sources["footprints"] = record.footprints->footprints;
+  if (record.clusters) sources["clusters"] = record.clusters->clusters;
+  sources["files"] = "run.json";
+  params.city_json.sources = sources.dump();
+  return params;
+}
+
+}  // namespace
 
 RoofSink::RoofSink(const std::filesystem::path& folder, const RoofFilesParams& params, const Crs& crs,
                    RoofLabels* labels, RunRecord& record)
-    : files_(folder, params, crs), labels_(labels), record_(record) {
+    : files_(folder, with_sources(params, record), crs), labels_(labels), record_(record) {
   record.roofs.emplace();
 }
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <map>
 
+#include "engine/model/building_geometry.h"
 #include "engine/products/roofs/solids/point_labels.h"
+#include "engine/products/roofs/solids/wall_areas.h"
 #include "engine/validity/validity.h"
 
 namespace ilot {
@@ -23,7 +25,8 @@ std::uint32_t number_planes(RoofModel& model) {
     return entry == numbers.end() ? 0 : entry->second;
   };
   for (BuildingSurface& s : model.lod22.surfaces) s.plane_id = of(s.plane_id);
-  for (BuildingSurface& s : model.lod12.surfaces) s.plane_id = 0;
+  for (Building* level : {&model.lod12, &model.lod13})
+    for (BuildingSurface& s : level->surfaces) s.plane_id = 0;
   for (std::uint32_t& face : model.face_of_point) face = of(face);
   model.map.number.resize(model.map.planes.size());
   for (std::uint32_t i = 0; i < model.map.number.size(); ++i) model.map.number[i] = of(i + 1);
@@ -83,6 +86,7 @@ SiteResult SiteModeller::model(std::size_t number, SiteSteps* steps) const {
   result.reason = model.reason;
   result.thinned = gathered.thinned;
   result.levels = levels_of(gathered.site, model);
+  add_sizes(number, gathered.site, result.levels, attributes);
   result.levels[0].attributes = std::move(attributes);
   return result;
 }
@@ -144,11 +148,37 @@ void SiteModeller::add_notes(std::size_t number, const GatheredSite& gathered, B
   append(work_.sites[number].attributes, attributes);
 }
 
+void SiteModeller::add_sizes(std::size_t number, const RoofSite& site, std::span<const Building> levels,
+                             BuildingAttributes& attributes) const {
+  BuildingAttributes sizes = volumes(levels, work_.metres_per_unit);
+  if (const Building* finest = finest_solid(levels)) {
+    const WallAreas areas = wall_areas(*finest, site, neighbours_of(number), work_.metres_per_unit);
+    sizes.emplace_back("party_wall_m2", areas.party);
+    sizes.emplace_back("exterior_wall_m2", areas.exterior);
+  }
+  const auto area =
+      std::find_if(attributes.begin(), attributes.end(), [](const auto& a) { return a.first == "area_m2"; });
+  attributes.insert(area == attributes.end() ? area : area + 1, sizes.begin(), sizes.end());
+}
+
+std::vector<SitePolygon> SiteModeller::neighbours_of(std::size_t number) const {
+  const PlacedOutline& own = work_.sites[number].outline;
+  std::vector<SitePolygon> outlines;
+  for (const std::uint32_t i : work_.map.near(own.box.grown(static_cast<std::int64_t>(kSameWall * 1000))))
+    if (i != number) outlines.push_back(seen_from(work_.sites[i].outline, own.x, own.y));
+  return outlines;
+}
+
 std::vector<Building> SiteModeller::levels_of(const RoofSite& site, RoofModel& model) const {
-  std::vector<Building> levels;
-  if (!model.lod12.surfaces.empty()) levels.push_back(std::move(model.lod12)), levels.back().lod = "1.2";
-  if (!model.lod22.surfaces.empty()) levels.push_back(std::move(model.lod22)), levels.back().lod = "2.2";
-  if (levels.empty()) levels.push_back(flat_outline(site, work_.metres_per_unit));
+  std::vector<Building> levels{flat_outline(site, work_.metres_per_unit)};
+  const auto add = [&](Building& solid, const char* lod) {
+    if (solid.surfaces.empty()) return;
+    levels.push_back(std::move(solid));
+    levels.back().lod = lod;
+  };
+  add(model.lod12, "1.2");
+  add(model.lod13, "1.3");
+  add(model.lod22, "2.2");
   for (Building& level : levels) level.id = site.id;
   return levels;
 }

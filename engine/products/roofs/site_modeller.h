@@ -50,6 +50,11 @@ class SiteModeller {
   void label_all(const SiteReader& reader, const RoofSite& site, const RoofModel& model, PointMeasures& measures,
                  SiteResult& result) const;
   void add_notes(std::size_t number, const GatheredSite& gathered, BuildingAttributes& attributes) const;
+  // Adds volumes and areas of walls behind the area of the outline.
+  void add_sizes(std::size_t number, const RoofSite& site, std::span<const Building> levels,
+                 BuildingAttributes& attributes) const;
+  // The outlines so near that walls may be common, from the site's anchor.
+  std::vector<SitePolygon> neighbours_of(std::size_t number) const;
   std::vector<Building> levels_of(const RoofSite& site, RoofModel& model) const;
 
   const SiteWork& work_;

@@ -54,6 +54,12 @@ Rows read_rows(PointReader& reader) {
   return rows;
 }
 
+std::size_t offset_of_label(const PointReader& reader) {
+  for (const ExtraField& field : reader.info().layout.extra)
+    if (field.name == "label") return field.offset;
+  throw std::out_of_range("label");
+}
+
 TEST(LabelledClouds, RowsComeBackInInputOrderWithAllTheirBytes) {
   const auto points = test::points_over_tiles(12000, 1);
   for (const std::uint64_t block_points : {1u << 20, 900u}) {
@@ -66,7 +72,7 @@ TEST(LabelledClouds, RowsComeBackInInputOrderWithAllTheirBytes) {
     context.metres_per_unit = 0.5;
     std::uint64_t expected = 0;
     const std::uint64_t labelled =
-        write_labelled_clouds(cloud.store(), cloud.inputs(), labels, cloud.folder() / "out", context);
+        write_labelled_clouds(cloud.store(), cloud.inputs(), labels, cloud.folder() / "out", {context});
     for (std::uint64_t f = 0; f < 3; ++f) {
       const auto out = open_cloud(cloud.folder() / "out" / ("cloud" + std::to_string(f) + ".laz"));
       const Rows was = read_rows(*cloud.inputs()[f]), is = read_rows(*out);
@@ -134,6 +140,51 @@ TEST(LabelledClouds, CompressedInputsGiveTheSameRows) {
   EXPECT_EQ(outputs[0].length, standard_size(7) + 21);
   EXPECT_EQ(outputs[0].count, points.size());
   EXPECT_TRUE(outputs[0].bytes == outputs[1].bytes);
+}
+
+// Points of the classes 0 and 1 get the class of their label, whatever the format; other classes and all other bytes
+// stay.
+TEST(LabelledClouds, ClassesAreWrittenWhereThereAreNone) {
+  const auto points = test::points_over_tiles(3000, 4);
+  std::vector<std::uint8_t> classes(points.size());
+  for (std::size_t i = 0; i < classes.size(); ++i) classes[i] = static_cast<std::uint8_t>(i % 7);
+  for (const auto& [name, format] : {std::pair("c.las", 1), {"c.laz", 1}, {"c.laz", 7}}) {
+    const TemporaryFolder folder;
+    test::write_cloud(folder.path() / name, points, classes, static_cast<std::uint8_t>(format));
+    const test::FilesStore files(folder.path(), {name}, 900);
+    for (std::uint32_t b = 0; b < files.cloud->blocks().size(); ++b) {
+      std::vector<RoofLabel> labels(files.cloud->blocks()[b].points);
+      for (std::size_t i = 0; i < labels.size(); ++i) labels[i].label = static_cast<PointLabel>(i % 5);
+      files.cloud->write(b, columns::kRoof, labels);
+    }
+    const std::vector<ProductLabels> labels{roof_labels(false)};
+    rows_pass(*files.cloud, labels, {});
+    write_labelled_clouds(*files.cloud, files.inputs, labels, folder.path() / "plain", {});
+    write_labelled_clouds(*files.cloud, files.inputs, labels, folder.path() / "out", {{}, true});
+    const Rows was = read_rows(*open_cloud(folder.path() / "plain" / "c.laz"));
+    Rows is = read_rows(*open_cloud(folder.path() / "out" / "c.laz"));
+    ASSERT_EQ(is.length, was.length);
+    ASSERT_EQ(is.count, points.size());
+    const std::size_t label_at = offset_of_label(*open_cloud(folder.path() / "out" / "c.laz"));
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < is.count; ++i) {
+      const std::span row(is.bytes.data() + i * is.length, is.length);
+      const std::span before(was.bytes.data() + i * was.length, was.length);
+      PointFields fields = decode_fields(row, static_cast<std::uint8_t>(format));
+      const auto given = decode_fields(before, static_cast<std::uint8_t>(format)).classification;
+      const auto label = static_cast<PointLabel>(before[label_at]);
+      const bool open = given <= 1;
+      const int expected = open && label == PointLabel::ground                                ? 2
+                           : open && (label == PointLabel::roof || label == PointLabel::wall) ? 6
+                                                                                              : given;
+      ASSERT_EQ(fields.classification, expected) << name << " " << i;
+      changed += fields.classification != given;
+      fields.classification = given;
+      encode_fields(fields, row, static_cast<std::uint8_t>(format));
+      ASSERT_TRUE(std::ranges::equal(row, before)) << name << " " << i;
+    }
+    EXPECT_GT(changed, points.size() / 10);
+  }
 }
 
 TEST(LabelledClouds, RowsThatNeverEnteredTheStoreStayWithoutLabel) {

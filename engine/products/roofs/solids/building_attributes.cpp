@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/model/building_geometry.h"
 #include "engine/products/roofs/sites/outline_repair.h"
 
 namespace ilot {
@@ -102,6 +103,16 @@ BuildingAttributes building_attributes(const RoofSite& site, const RoofModel& mo
   out.emplace_back("roof_type", site.points.empty() ? std::string("no points") : roof_type(faces));
   out.emplace_back("coverage", coverage_of(site, area));
   add_quality(model, measures, out);
+  return out;
+}
+
+BuildingAttributes volumes(std::span<const Building> levels, double metres_per_unit) {
+  constexpr std::pair<const char*, const char*> kNames[] = {
+      {"1.2", "volume_lod12_m3"}, {"1.3", "volume_lod13_m3"}, {"2.2", "volume_lod22_m3"}};
+  BuildingAttributes out;
+  for (const Building& level : levels)
+    for (const auto& [lod, name] : kNames)
+      if (level.lod == lod) out.emplace_back(name, volume_m3(level, metres_per_unit));
   return out;
 }
 

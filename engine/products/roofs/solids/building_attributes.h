@@ -2,6 +2,7 @@
 // The attributes of a building beside its shape.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,7 +23,10 @@ const char* name_of(RoofStatus status);
 BuildingAttributes building_attributes(const RoofSite& site, const RoofModel& model, double metres_per_unit,
                                        PointMeasures& measures);
 
-// Returns the outline as a flat surface on the ground, lod 0. It is the result for a building without a solid.
+// Returns the volume of each level of detail that is a solid.
+BuildingAttributes volumes(std::span<const Building> levels, double metres_per_unit);
+
+// Returns the outline as a flat surface on the ground, lod 0.
 Building flat_outline(const RoofSite& site, double metres_per_unit);
 
 }  // namespace ilot

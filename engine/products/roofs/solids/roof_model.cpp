@@ -20,6 +20,7 @@
 #include "engine/products/roofs/faces/supported_roof.h"
 #include "engine/products/roofs/sites/outline_repair.h"
 #include "engine/products/roofs/solids/roof_solid.h"
+#include "engine/products/roofs/solids/step_parts.h"
 #include "kernels/core/quantile.h"
 
 namespace ilot {
@@ -63,12 +64,17 @@ std::string too_sparse(const RoofSite& site) {
   return {};
 }
 
+// The points of which the heights of level roofs are: those on no wall, or all where there are no others.
+std::vector<Vec3> points_of_levels(const RoofSite& site, const RoofPlanes& planes) {
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < site.points.size(); ++i)
+    if (!planes.on_wall[i]) points.push_back(site.points[i]);
+  return points.empty() ? site.points : points;
+}
+
 RoofPlane level_roof(const RoofSite& site, const RoofPlanes& planes, double block_height) {
   std::vector<double> z;
-  for (std::size_t i = 0; i < site.points.size(); ++i)
-    if (!planes.on_wall[i]) z.push_back(site.points[i].z);
-  if (z.empty())
-    for (const Vec3& p : site.points) z.push_back(p.z);
+  for (const Vec3& p : points_of_levels(site, planes)) z.push_back(p.z);
   RoofPlane plane;
   plane.c = lower_quantile(z, block_height);
   return plane;
@@ -228,6 +234,21 @@ void add_house(const RoofSite& site, RoofPlanes& planes, const RoofModelParams& 
   model.reason = first_fault;
 }
 
+// Raises the parts between which the roof steps. There is no such solid when the check refuses it.
+void add_steps(const RoofSite& site, const RoofPlanes& planes, const RoofModelParams& params, double metres_per_unit,
+               const SolidCheck& check, RoofModel& model) {
+  const StepParts steps = step_parts(model.map.faces, model.map.planes, site.outline, points_of_levels(site, planes),
+                                     {params.lod13_step, params.block_height});
+  if (steps.planes.size() == 1) {
+    model.lod13 = model.lod12;
+    model.lod13.lod = "1.3";
+    return;
+  }
+  std::string refused;
+  auto solid = raised(site, steps.parts, steps.planes, "1.3", metres_per_unit, check, refused);
+  if (solid) model.lod13 = std::move(*solid);
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> faces_at(const RoofFaceMap& map, std::span<const Vec3> points) {
@@ -266,6 +287,8 @@ RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double
     return model;
   }
   add_house(roof.site, roof.planes, params, metres_per_unit, check, model, steps);
+  if (model.status == RoofStatus::lod22 && params.lod13_step > 0)
+    add_steps(roof.site, roof.planes, params, metres_per_unit, check, model);
   if (model.status == RoofStatus::lod22) model.face_of_point = of_given_points(site, roof, model.face_of_point);
   return model;
 }

@@ -32,8 +32,8 @@ struct RoofFaceMap {
 
 struct RoofModel {
   RoofStatus status = RoofStatus::footprint_only;
-  std::string reason;     // why the model is not lod22; empty when it is
-  Building lod22, lod12;  // without surfaces where there is no such solid; coordinates are in the CRS
+  std::string reason;            // why the model is not lod22; empty when it is
+  Building lod22, lod13, lod12;  // without surfaces where there is no such solid; coordinates are in the CRS
   // Per point of the site, then per point beside it: 0 = none, else its face, a plane_id of lod22.
   std::vector<std::uint32_t> face_of_point;
   RoofFaceMap map;  // of lod22
@@ -56,8 +56,9 @@ using SolidCheck = std::function<std::string(const Building&)>;
 // Models a roof. The result depends on the site alone: the same building gets the same vertices wherever and with
 // whatever neighbours it is modelled. If the check refuses a solid, it is built again with fewer faces that share
 // vertices, then with small faces (up to 16 m2) given to their neighbours. If that does not help either, the result is
-// the next lower level of detail. The function never throws because of the data. `metres_per_unit` is that of the CRS.
-// If `steps` is given, it is filled; the model is the same.
+// the next lower level of detail. lod13 is made from lod22, and is lod12 where no part of the roof steps. The function
+// never throws because of the data. `metres_per_unit` is that of the CRS. If `steps` is given, it is filled; the model
+// is the same.
 RoofModel model_roof(
     const RoofSite& site, const RoofModelParams& params, double metres_per_unit,
     const SolidCheck& check = [](const Building&) { return std::string(); }, RoofSteps* steps = nullptr);

@@ -16,7 +16,10 @@ namespace {
 
 std::vector<Building> court() {
   Building b = court_house("court");
-  b.attributes = {{"status", std::string("lod22")}, {"points", std::int64_t{3000000000}}, {"h_ground", 35.25}};
+  b.attributes = {{"status", std::string("lod22")},
+                  {"points", std::int64_t{3000000000}},
+                  {"h_ground", 35.25},
+                  {"volume_lod22_m3", 336.0}};
   return {b};
 }
 

@@ -21,46 +21,41 @@ const AttributeValue& at(const Attributes& attributes, const std::string& name) 
   throw std::out_of_range(name);
 }
 
-std::vector<Building> two_levels() {
-  Building low = gable_house("a", {}), high = gable_house("a", {});
-  low.lod = "1.2";
-  low.attributes = {{"status", std::string("lod22")},
-                    {"points", std::int64_t{800}},
-                    {"area_m2", 80.0},
-                    {"coverage", 0.9},
-                    {"h_roof_50", 4.5},
-                    {"mine", 1.0}};
-  return {low, high};
+Attributes attributes() {
+  return {{"status", std::string("lod22")},
+          {"points", std::int64_t{800}},
+          {"area_m2", 80.0},
+          {"volume_lod13_m3", 360.0},
+          {"coverage", 0.9},
+          {"h_roof_50", 4.5},
+          {"mine", 1.0}};
 }
 
 TEST(BuildingFields, PlainNamesStay) {
-  const auto levels = two_levels();
-  EXPECT_EQ(styled_attributes(levels, AttributeStyle::plain, 1), levels[0].attributes);
-  EXPECT_TRUE(styled_attributes({}, AttributeStyle::roofer, 1).empty());
+  EXPECT_EQ(styled_attributes(attributes(), AttributeStyle::plain), attributes());
+  EXPECT_TRUE(styled_attributes({}, AttributeStyle::roofer).empty());
 }
 
 TEST(BuildingFields, RoofersStyleRenamesAndAdds) {
-  const Attributes out = styled_attributes(two_levels(), AttributeStyle::roofer, 1);
+  const Attributes out = styled_attributes(attributes(), AttributeStyle::roofer);
   EXPECT_EQ(std::get<double>(at(out, "rf_h_roof_50p")), 4.5);
   EXPECT_EQ(std::get<double>(at(out, "mine")), 1);
   EXPECT_TRUE(std::get<bool>(at(out, "rf_success")));
   EXPECT_EQ(std::get<std::string>(at(out, "rf_extrusion_mode")), "standard");
   EXPECT_DOUBLE_EQ(std::get<double>(at(out, "rf_nodata_frac")), 0.1);
   EXPECT_EQ(std::get<double>(at(out, "rf_pt_density")), 10);
-  EXPECT_NEAR(std::get<double>(at(out, "rf_volume_lod12")), 360, 1e-9);
-  EXPECT_NEAR(std::get<double>(at(out, "rf_volume_lod22")), 360, 1e-9);
+  EXPECT_EQ(std::get<double>(at(out, "rf_volume_lod13")), 360);
   EXPECT_THROW(at(out, "h_roof_50"), std::out_of_range);
 }
 
 TEST(BuildingFields, TheNamesOfAFieldFindItInEveryStyle) {
   for (const char* status : {"lod22", "lod12", "footprint_only"}) {
-    std::vector<Building> levels = two_levels();
-    levels[0].attributes[0].second = std::string(status);
-    levels[0].attributes.emplace_back("rmse_m", 0.25);
-    const Attributes out = styled_attributes(levels, AttributeStyle::roofer, 1);
+    Attributes plain = attributes();
+    plain[0].second = std::string(status);
+    plain.emplace_back("rmse_m", 0.25);
+    const Attributes out = styled_attributes(plain, AttributeStyle::roofer);
     for (const BuildingField& field : building_fields()) {
-      const bool had = std::any_of(levels[0].attributes.begin(), levels[0].attributes.end(),
-                                   [&](const auto& a) { return a.first == field.name; });
+      const bool had = std::any_of(plain.begin(), plain.end(), [&](const auto& a) { return a.first == field.name; });
       const std::vector<std::string> names = names_of(field);
       const auto found = std::count_if(out.begin(), out.end(), [&](const auto& a) {
         return std::find(names.begin(), names.end(), a.first) != names.end();
@@ -90,13 +85,13 @@ TEST(BuildingFields, ColumnsHaveTheNamesOfTheAttributes) {
   for (const AttributeStyle style : {AttributeStyle::plain, AttributeStyle::roofer}) {
     std::set<std::string> columns{"mine"};
     for (const auto& [name, kind] : attribute_columns(style)) EXPECT_TRUE(columns.insert(name).second) << name;
-    for (const auto& [name, value] : styled_attributes(two_levels(), style, 1))
-      EXPECT_TRUE(columns.count(name)) << name;
+    for (const auto& [name, value] : styled_attributes(attributes(), style)) EXPECT_TRUE(columns.count(name)) << name;
     std::set<std::string> faces;
     for (const auto& [name, kind] : face_columns(style)) faces.insert(name);
-    for (const auto& [name, value] : face_attributes({1, 30, 90}, style)) EXPECT_TRUE(faces.count(name)) << name;
+    for (const auto& [name, value] : face_attributes({1, 30, 90}, {1, 2, 3, 4}, style))
+      EXPECT_TRUE(faces.count(name)) << name;
   }
-  EXPECT_EQ(face_attributes({1, 0, -1}, AttributeStyle::plain).size(), 2u);
+  EXPECT_EQ(face_attributes({1, 0, -1}, {}, AttributeStyle::plain).size(), 6u);
 }
 
 TEST(BuildingFields, TheDocumentShowsTheTables) {
