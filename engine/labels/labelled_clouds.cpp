@@ -251,8 +251,8 @@ std::vector<std::string> labelled_names(const std::vector<std::unique_ptr<PointR
 
 std::uint64_t write_labelled_cloud(const Store& store, PointReader& input, std::uint32_t file,
                                    std::span<const ProductLabels> products, const fs::path& path,
-                                   const PassContext& context) {
-  return Labeller(store, sample_rows(store), products, context, input, file).write(path);
+                                   const LabelledCloudParams& params) {
+  return Labeller(store, sample_rows(store), products, params, input, file).write(path);
 }
 
 void check_labelled_clouds(const std::vector<std::unique_ptr<PointReader>>& inputs, const PassContext& context) {

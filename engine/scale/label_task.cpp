@@ -78,7 +78,8 @@ void label_input(const TaskOptions& task, const Plan& plan, Progress& progress) 
   check_labelled_clouds(inputs.readers, context);
   progress.begin_stage("write", inputs.points);
   const WorkFolder work(task.output, ".label-" + std::to_string(task.number) + "-");
-  write_labelled_cloud(kept.store, *inputs.readers[0], number, kept.labels, work.path() / names[number], context);
+  write_labelled_cloud(kept.store, *inputs.readers[0], number, kept.labels, work.path() / names[number],
+                       {context, options.settings.classes.write});
   progress.end_stage();
   check_inputs(plan, numbers);  // a change while the task read
   fs::create_directories(cloud.parent_path());
