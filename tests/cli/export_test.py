@@ -111,7 +111,7 @@ class Exports(unittest.TestCase):
         return [tuple(map(float, line.split())) for line in done.stdout.splitlines()]
 
     def test_tiles(self):
-        tileset = json.loads((self.made / "3dtiles" / "tileset.json").read_text())
+        tileset = readers.read_tileset(self.made / "3dtiles")
         self.assertEqual(tileset["asset"]["version"], "1.1")
         root = tileset["root"]
         shown = {}

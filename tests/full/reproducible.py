@@ -22,6 +22,8 @@ BUILDS = {
 def built(place, name, how):
     """Returns the packages by name."""
     sources = place / how["under"]
+    for old in sources.parent.glob("*.deb"):
+        old.unlink()
     if not sources.exists():
         subprocess.run(["git", "clone", "-q", "--no-hardlinks", ROOT, sources], check=True)
     head = subprocess.run(["git", "rev-parse", "HEAD"], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
