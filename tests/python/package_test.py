@@ -81,7 +81,7 @@ class Package(unittest.TestCase):
     def test_facades_and_streets_are_read_back(self):
         front, street = self.folder / "front.laz", self.folder / "street.laz"
         subprocess.run([EXE, "scan", "facade-restoration", "-o", front, "--points", "60000", "-q"], check=True)
-        subprocess.run([EXE, "scan", "street", "-o", street, "--points", "150000", "-q", "--set", "scene.blocks=2"], check=True)
+        subprocess.run([EXE, "scan", "street", "-o", street, "--points", "500000", "-q", "--set", "scene.blocks=2"], check=True)
         ilot.facades(front, self.folder / "front", stations=front.with_suffix(".stations.csv"), report=False)
         facade = ilot.read_facades(self.folder / "front")[0]
         windows = [e for e in facade.elements if e.kind == "window"]
