@@ -85,6 +85,19 @@ void empty_ball(ShapeIndex& index, std::size_t ball) {
   }
 }
 
+// Morton codes from the box's corner, in units; where an edge of the box is longer than a code can tell (2^21 units, as a few
+// points far apart in fine units are), in the least power of two of units that a code can tell.
+std::vector<std::uint64_t> codes_in(const Box3<Vec3>& box, const Points& p, std::span<const std::uint32_t> kept) {
+  const double longest = std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z, 1.0});
+  const double steps = std::ldexp(1.0, std::min(0, kMortonBits - 1 - std::ilogb(longest)));
+  const auto step_of = [&](double value, double corner) { return static_cast<std::uint32_t>((value - corner) * steps); };
+  std::vector<std::uint64_t> codes;
+  codes.reserve(kept.size());
+  for (const std::uint32_t k : kept)
+    codes.push_back(morton_code({step_of(p.x[k], box.min.x), step_of(p.y[k], box.min.y), step_of(p.z[k], box.min.z)}));
+  return codes;
+}
+
 // Chooses the levels from the whole box down to cells that contain a few points on average.
 void choose_levels(ShapeIndex& s) {
   const std::uint64_t differing = s.size > 0 ? s.code.front() ^ s.code[s.size - 1] : 0;
@@ -132,14 +145,7 @@ ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::
   if (kept.empty()) return s;
   s.centre = 0.5 * (box.min + box.max);
   s.reach = 0.5 * norm(box.max - box.min);
-  assert(box.max.x - box.min.x < 0x1p21 && box.max.y - box.min.y < 0x1p21 && box.max.z - box.min.z < 0x1p21);
-  std::vector<std::uint64_t> codes(s.size);
-  for (std::size_t i = 0; i < s.size; ++i) {
-    const std::uint32_t k = kept[i];
-    codes[i] =
-        morton_code({static_cast<std::uint32_t>(p.x[k] - box.min.x), static_cast<std::uint32_t>(p.y[k] - box.min.y),
-                     static_cast<std::uint32_t>(p.z[k] - box.min.z)});
-  }
+  const std::vector<std::uint64_t> codes = codes_in(box, p, kept);
   s.index.resize(s.size);
   s.code.resize(s.size);
   std::size_t to = 0;

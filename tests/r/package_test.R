@@ -70,16 +70,24 @@ refused(estimate_normals(x, y[-1], z), "different lengths")
 refused(estimate_normals(c(NaN, x[-1]), y, z), "not finite")
 refused(delaunay("a", "b"), "numbers")
 
-# Ctrl-C ends the run, and it can be resumed.
-system(sprintf("(sleep 1; kill -INT %d) &", Sys.getpid()))
-again <- function() {
-  for (i in 1:100) run(at("town.laz"), at("stopped"), products = c("planes", "roofs"), existing = "overwrite", report = FALSE)
-  "nothing was interrupted"
+# Ctrl-C ends a loop over runs wherever it comes: in a run, which can be resumed, at the end of a run, or between two. It comes at
+# moments a seventh of a run apart, until one of them was within a run.
+planes_again <- function(existing) run(at("town.laz"), at("stopped"), existing = existing, report = FALSE)
+seconds <- system.time(planes_again("overwrite"))[["elapsed"]]
+interrupted_at <- function(moment) {
+  system(sprintf("(sleep %.3f; kill -INT %d) &", moment, Sys.getpid()))
+  again <- function() {
+    for (i in 1:200) planes_again("overwrite")
+    "nothing was interrupted"
+  }
+  tryCatch(again(), error = conditionMessage, interrupt = function(i) "interrupted between runs")
 }
-sentence <- tryCatch(again(), error = conditionMessage, interrupt = function(i) "interrupt between runs")
-stopifnot(grepl("resume", sentence) || sentence == "interrupt between runs")
-if (grepl("resume", sentence)) {
-  invisible(run(at("town.laz"), at("stopped"), products = c("planes", "roofs"), existing = "resume", report = FALSE))
-  stopifnot(read_run(at("stopped"))$exit == 0)
+for (moment in 0.3 + seconds * (0:49) / 7) {
+  sentence <- interrupted_at(moment)
+  if (!grepl("interrupted", sentence) || sentence == "nothing was interrupted") stop("Ctrl-C ended with: ", sentence)
+  if (grepl("resume", sentence)) break
 }
+stopifnot(grepl("resume", sentence))
+invisible(planes_again("resume"))
+stopifnot(read_run(at("stopped"))$exit == 0)
 cat("all checks of the package for R passed\n")

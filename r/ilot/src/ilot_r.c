@@ -165,10 +165,13 @@ static void* work(void* user) {
   return NULL;
 }
 
+/* Both may leave by longjmp, past the thread that still writes to run_state: they are called through R_ToplevelExec alone. */
 static void look_for_interrupt(void* nothing) {
   (void)nothing;
   R_CheckUserInterrupt();
 }
+
+static void print_line(void* line) { Rprintf("%s\n", (const char*)line); }
 
 /* Waits in R's thread. Ctrl-C stops this run at its next call of note_progress. */
 static void wait_for(run_state* state, int verbose) {
@@ -183,7 +186,7 @@ static void wait_for(run_state* state, int verbose) {
     const int news = strcmp(shown, state->stage) != 0;
     strcpy(shown, state->stage);
     pthread_mutex_unlock(&state->mutex);
-    if (news && verbose) Rprintf("%s\n", shown);
+    if (news && verbose) R_ToplevelExec(print_line, shown);
   }
 }
 
@@ -222,6 +225,7 @@ static SEXP run_r(SEXP inputs, SEXP options, SEXP settings, SEXP verbose) {
   ilot_run_free(state.run);
   pthread_mutex_destroy(&state.mutex);
   if (state.status != ILOT_OK && state.status != ILOT_INCOMPLETE) Rf_error("%s", state.message);
+  if (state.stop) Rf_error("interrupted; the run had ended by then, its results are whole"); /* else a loop over runs would go on */
   return Rf_ScalarInteger(state.status);
 }
 

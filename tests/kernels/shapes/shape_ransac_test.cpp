@@ -116,6 +116,22 @@ TEST(ShapeRansac, EveryShapeOfARoomIsFoundWithItsParameters) {
   }
 }
 
+// Four metres in steps of a quarter of a micrometre are more than a Morton code can tell.
+TEST(ShapeRansac, FineUnitsHaveTheSameShapes) {
+  constexpr float kFiner = 4096;
+  Scene scene = make_scene(7);
+  ShapeRansacParams params = scene_params(7);
+  const auto coarse = ransac_shapes(scene.set.view(), params);
+  for (auto* axis : {&scene.set.x, &scene.set.y, &scene.set.z})
+    for (float& value : *axis) value *= kFiner;
+  params.epsilon *= kFiner;
+  params.connectivity *= kFiner;
+  const auto fine = ransac_shapes(scene.set.view(), params);
+  expect_sound_shapes(scene.set, params, fine);
+  EXPECT_EQ(fine.shapes.size(), coarse.shapes.size());
+  EXPECT_EQ(fine.shapes.size(), scene.truth.size());
+}
+
 TEST(ShapeRansac, OrderAndThreadsDoNotMatter) {
   const Scene scene = make_scene(4);
   const auto once = ransac_shapes(scene.set.view(), scene_params(4));
