@@ -34,10 +34,17 @@ Lab lab_of(StoredColour c) {
                       static_cast<std::uint8_t>(c));
 }
 
+bool has_colours(const Store& store) {
+  for (std::uint32_t block = 0; block < store.blocks().size(); ++block)
+    if (!store.has(block, columns::kColour)) return false;
+  return !store.blocks().empty();
+}
+
 }  // namespace
 
 bool colours_pass(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                   const PassContext& context) {
+  if (has_colours(store)) return true;
   const RowValues<RawColour> rows(store, "colours", inputs, [&](std::size_t file) {
     return rgb_offset(inputs[file]->info().layout.point_format).has_value();
   });

@@ -16,10 +16,10 @@ namespace ilot {
 using StoredColour = std::uint32_t;  // 0xRRGGBB
 constexpr StoredColour kNoColour = 0xff000000;
 
-// Writes the column "colour" of every block if an input has colours; returns whether one has. Every input with colours
-// is read once more, into files of 6 bytes per row. Each block gathers its colours from these files, so the memory is
-// that of one block. A file whose channels never exceed 255 has 8 bits per channel. Other files have 16 bits, and the
-// lower 8 are dropped.
+// Writes the column "colour" of every block if an input has colours; returns whether one has. A store whose
+// blocks all have the column keeps it, whatever the inputs are. Every input with colours is read once more, into files
+// of 6 bytes per row. Each block gathers its colours from these files, so the memory is that of one block. A file whose
+// channels never exceed 255 has 8 bits per channel. Other files have 16 bits, and the lower 8 are dropped.
 bool colours_pass(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                   const PassContext& context);
 

@@ -195,20 +195,15 @@ class Labeller {
 
 }  // namespace
 
-std::vector<std::string> labelled_names(const std::vector<std::unique_ptr<PointReader>>& inputs) {
+std::vector<std::string> labelled_names(std::span<const fs::path> clouds) {
   std::map<std::string, int> stems;
-  for (const auto& input : inputs)
-    if (!is_in_memory(input->info())) ++stems[cloud_stem(input->info().path)];
+  for (const fs::path& cloud : clouds) ++stems[cloud_stem(cloud)];
   std::set<std::string> used;
   for (const auto& [stem, count] : stems)
     if (count == 1) used.insert(stem);
   std::vector<std::string> names;
-  for (const auto& input : inputs) {
-    if (is_in_memory(input->info())) {  // called as the cloud, in whose name a dot is nothing special
-      names.push_back(input->info().path.string() + kNpyExtension);
-      continue;
-    }
-    const fs::path path = fs::absolute(input->info().path);
+  for (const fs::path& cloud : clouds) {
+    const fs::path path = fs::absolute(cloud);
     std::string name = cloud_stem(path);
     if (stems[name] > 1) {
       const std::string base = path.parent_path().filename().string() + "_" + name;
@@ -218,6 +213,24 @@ std::vector<std::string> labelled_names(const std::vector<std::unique_ptr<PointR
     names.push_back(name + kCloudExtension);
   }
   return names;
+}
+
+std::vector<std::string> labelled_names(const std::vector<std::unique_ptr<PointReader>>& inputs) {
+  std::vector<fs::path> files;
+  for (const auto& input : inputs)
+    if (!is_in_memory(input->info())) files.push_back(input->info().path);
+  const std::vector<std::string> of_files = labelled_names(files);
+  auto next = of_files.begin();
+  std::vector<std::string> names;
+  for (const auto& input : inputs)  // a cloud in memory is called as it is: a dot in its name is nothing special
+    names.push_back(is_in_memory(input->info()) ? input->info().path.string() + kNpyExtension : *next++);
+  return names;
+}
+
+std::uint64_t write_labelled_cloud(const Store& store, PointReader& input, std::uint32_t file,
+                                   std::span<const ProductLabels> products, const fs::path& path,
+                                   const PassContext& context) {
+  return Labeller(store, sample_rows(store), products, context, input, file).write(path);
 }
 
 void check_labelled_clouds(const std::vector<std::unique_ptr<PointReader>>& inputs, const PassContext& context) {

@@ -24,6 +24,13 @@ void check_labelled_clouds(const std::vector<std::unique_ptr<PointReader>>& inpu
 // The file name of the labelled cloud of each input. Inputs with equal names get the name of their folder in front, and
 // a number at the end if that is equal too.
 std::vector<std::string> labelled_names(const std::vector<std::unique_ptr<PointReader>>& inputs);
+std::vector<std::string> labelled_names(std::span<const std::filesystem::path> clouds);  // of files alone
+
+// Writes the labelled cloud of one input, whose rows have the number `file` in the store. Returns the number of points
+// with a label.
+std::uint64_t write_labelled_cloud(const Store& store, PointReader& input, std::uint32_t file,
+                                   std::span<const ProductLabels> products, const std::filesystem::path& path,
+                                   const PassContext& context);
 
 // Writes a compressed file folder/NAME for every input, with NAME from labelled_names(); of a cloud in memory the
 // labels alone, as an array. Returns the number of points with a label.

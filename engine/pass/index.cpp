@@ -137,29 +137,12 @@ Index3 least_corner(const CoarseCells& cells, const Strays& strays) {
 }
 
 // Returns how many points of the runs are in no block.
-std::uint64_t left_out(const std::vector<SortedRun>& runs, const std::vector<PlannedBlock>& plan) {
+std::uint64_t left_out(const std::vector<SortedRun>& runs, const std::vector<Block>& blocks) {
   std::uint64_t points = 0;
   for (const SortedRun& run : runs)
     if (!run.tiles.empty()) points += run.tiles.back().end;
-  for (const PlannedBlock& block : plan) points -= block.points;
+  for (const Block& block : blocks) points -= block.points;
   return points;
-}
-
-std::vector<Block> all_blocks(const std::vector<SortedRun>& runs, const std::vector<PlannedBlock>& plan,
-                              const IndexParams& params, const fs::path& folder, const PassContext& context) {
-  std::vector<Block> blocks(plan.size());
-  std::vector<PassTask> costs;
-  for (const PlannedBlock& p : plan) costs.push_back({p.points * kBytesPerPoint, p.points});
-  run_pass(costs, context.budget_bytes, [&](std::size_t i) {
-    const fs::path summary = folder / "blocks" / (plan[i].node.name() + ".block");
-    if (fs::exists(summary)) {
-      blocks[i] = read_column<Block>(summary).at(0);
-      return;
-    }
-    blocks[i] = build_block(plan[i], runs, params.classes, folder / "blocks");
-    write_column<Block>(summary, std::span(&blocks[i], 1));
-  });
-  return blocks;
 }
 
 // The files that the index leaves in the folder, "index" last; "lattice" only when it is not the one that was asked for
@@ -208,13 +191,12 @@ InputLattice write_index(const std::vector<std::unique_ptr<PointReader>>& inputs
     write_column<InputLattice>(files.lattice(), std::span(&needed, 1));
     return needed;
   }
-  const std::vector<PlannedBlock> plan = plan_blocks(runs, params.block_points, strays);
-  const std::vector<Block> blocks = all_blocks(runs, plan, params, files.folder, context);
+  const std::vector<Block> blocks = build_blocks(runs, params, strays, files.folder, context);
   std::array<std::uint64_t, kRejections> rejected{};
   for (const SortedRun& run : runs)
     for (std::size_t i = 0; i < kRejections; ++i) rejected[i] += run.rejected[i];
   rejected[static_cast<std::size_t>(Rejection::outside)] += skipped;
-  rejected[static_cast<std::size_t>(Rejection::stray)] = left_out(runs, plan);
+  rejected[static_cast<std::size_t>(Rejection::stray)] = left_out(runs, blocks);
   const Index3 corner = least_corner(cells, strays);
   write_column<std::uint64_t>(files.rejected(), rejected);
   write_column<Index3>(files.corner(), std::span(&corner, 1));
@@ -232,6 +214,24 @@ IndexResult finished_index(const IndexFiles& files, const InputLattice& lattice)
 }
 
 }  // namespace
+
+std::vector<Block> build_blocks(const std::vector<SortedRun>& runs, const IndexParams& params, const Strays& strays,
+                                const fs::path& folder, const PassContext& context) {
+  const std::vector<PlannedBlock> plan = plan_blocks(runs, params.block_points, strays);
+  std::vector<Block> blocks(plan.size());
+  std::vector<PassTask> costs;
+  for (const PlannedBlock& p : plan) costs.push_back({p.points * kBytesPerPoint, p.points});
+  run_pass(costs, context.budget_bytes, [&](std::size_t i) {
+    const fs::path summary = folder / "blocks" / (plan[i].node.name() + ".block");
+    if (fs::exists(summary)) {
+      blocks[i] = read_column<Block>(summary).at(0);
+      return;
+    }
+    blocks[i] = build_block(plan[i], runs, params.classes, folder / "blocks");
+    write_column<Block>(summary, std::span(&blocks[i], 1));
+  });
+  return blocks;
+}
 
 IndexResult build_index(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params,
                         const fs::path& folder, const PassContext& context) {

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "engine/pass/context.h"
+#include "engine/pass/input_lattice.h"
 #include "engine/store/partition.h"
 
 namespace ilot {
 
 struct IndexParams {
   double unit = 0.001;        // CRS units per lattice step
-  double finest_step = 1e-5;  // metres; no lattice is finer
+  double finest_step = kFinestStep;  // metres; no lattice is finer
   std::int64_t multiple = 1;  // of the finest steps of the inputs (InputLattice)
   IndexFilter filter;
   std::uint64_t block_points = 1u << 20;
@@ -36,6 +37,11 @@ struct IndexResult {
 // start finished are found in the folder and kept. Memory: about 64 bytes per point of a run or a block, per thread.
 IndexResult build_index(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params,
                         const std::filesystem::path& folder, const PassContext& context);
+
+// The second half of build_index: makes the blocks of a store from runs that are there. Files of blocks that are in the
+// folder already are kept. `params` gives block_points and classes.
+std::vector<Block> build_blocks(const std::vector<SortedRun>& runs, const IndexParams& params, const Strays& strays,
+                                const std::filesystem::path& folder, const PassContext& context);
 
 // Returns the index that an earlier build_index left in the folder, without reading the inputs; nothing is written.
 // `first` is the lattice that the run asked for first (common_lattice). Throws Error when the folder has no index.

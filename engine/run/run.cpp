@@ -121,6 +121,14 @@ void count_points(const IndexResult& index, const RunInputs& inputs, std::uint64
   record.blocks = index.store.blocks().size();
 }
 
+void note_rounding(const InputLattice& lattice, const RunInputs& inputs, Progress& progress) {
+  double finest = lattice.finest();
+  for (const auto& reader : inputs.readers)
+    for (const double scale : reader->info().layout.scale) finest = std::min(finest, scale);
+  if (finest < 0.999 * lattice.finest())
+    progress.note("coordinates in finer steps than index.finest_step are rounded to it; points/ keeps them as they are");
+}
+
 void warn_of_strays(const IndexResult& index, Progress& progress, RunRecord& record) {
   const std::uint64_t strays = index.rejected[static_cast<std::size_t>(Rejection::stray)];
   if (strays == 0) return;
@@ -180,6 +188,7 @@ void make_products(const RunOptions& options, const RunInputs& inputs, const std
   if (options.clouds) check_labelled_clouds(inputs.readers, context);
   progress.begin_stage("index", inputs.points);
   const IndexResult index = make_index(options, inputs, sites, out, context);
+  note_rounding(index.lattice, inputs, progress);
   warn_of_strays(index, progress, record);
   if (index.store.points() == 0) {
     out.discard();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "engine/error.h"
 #include "engine/formats/file.h"
@@ -12,6 +13,8 @@
 #include "engine/pass/input_lattice.h"
 #include "engine/pass/pass.h"
 #include "engine/pass/resident.h"
+#include "engine/products/planes/cells/cells.h"
+#include "engine/products/planes/product.h"
 #include "engine/products/roofs/cluster_plan.h"
 #include "engine/products/roofs/footprint_outcome.h"
 #include "engine/products/roofs/footprint_plan.h"
@@ -25,6 +28,7 @@
 #include "engine/run/memory_budget.h"
 #include "engine/run/run_context.h"
 #include "engine/run/run_request.h"
+#include "engine/scale/cell_part.h"
 #include "engine/scale/plan.h"
 #include "engine/scale/plan_areas.h"
 #include "engine/scale/records.h"
@@ -43,17 +47,43 @@ constexpr std::size_t kMostAreas = 100'000;  // Choice: plan.json has some 400 b
 constexpr std::uint64_t kLeastMemory = 96u << 20;
 // Choice: a house of two levels; the estimate of disk follows from it, no result does.
 constexpr std::uint64_t kPartBytesOfSite = 2000;
+// Derived: code, place in the inputs, normal and label of a point, and little for the planes of its cell.
+constexpr std::uint64_t kPartBytesOfPoint = 28;
 
-void check_asked(const PlanOptions& options) {
-  for (const std::string& product : options.run.products) {
-    if (product == "roofs") continue;
-    const char* why = product == "planes"    ? "planes and their outlines are cut at the borders of areas"
-                      : product == "streets" ? "the ground is filled and linked over the borders of areas"
-                                             : "facades are found among planes, which are cut at the borders of areas";
+void check_products(const RunOptions& run) {
+  for (const std::string& product : run.products) {
+    if (product == "roofs" || product == "planes") continue;
+    const char* why = product == "streets" ? "the ground is filled and linked over the borders of areas"
+                                           : "facades cross the borders of areas";
     throw Error("--products " + product + ": a plan cannot promise the bytes of one run: " + why +
-                    ", and joining them is not built yet; there is: roofs (make the others with ilot run)",
+                    ", and joining them is not built yet; there is: roofs, planes (make the others with ilot run)",
                 ExitCode::usage);
   }
+  if (run.products.size() != 1)
+    throw Error("--products: a plan makes one product; make one plan for roofs and one for planes", ExitCode::usage);
+  if (run.products[0] != "planes") return;
+  if (!run.footprints.empty())
+    throw Error("--footprints " + run.footprints.string() + ": only the product roofs reads it; leave it out",
+                ExitCode::usage);
+  if (run.settings.planes.method == PlaneMethod::colour_ransac)
+    throw Error(
+        "planes.method = colour_ransac: its classes of colours depend on all points, and a plan does not "
+        "freeze them; make planes with ilot run",
+        ExitCode::usage);
+  if (run.settings.boundaries.step == StepSource::stations)
+    throw Error("boundaries.step = stations: a plan knows no stations", ExitCode::usage);
+}
+
+// Steps of stations give the thresholds of outlines, and a merge opens no input.
+void check_stations(const RunOptions& run, const RunInputs& inputs) {
+  if (run.products[0] == "planes" && !inputs.stations.empty())
+    throw Error(
+        "the inputs have stations, from which outlines of planes follow, and a plan does not carry them; make "
+        "planes with ilot run",
+        ExitCode::usage);
+}
+
+void check_folder(const PlanOptions& options) {
   const fs::path& folder = options.run.output;
   if (fs::exists(folder / kPlanFile))
     throw Error(folder.string() + ": contains a plan already; give another -o or remove it", ExitCode::usage);
@@ -103,7 +133,7 @@ IndexResult index_all(const RunOptions& options, const RunInputs& inputs, const 
   for (const int code : options.settings.classes.noise) p.filter.noise.set(static_cast<std::size_t>(code));
   p.finest_step = options.settings.index.finest_step;
   p.keep_strays = options.settings.index.keep_strays;
-  p.classes = ClassColumns::written;
+  if (options.products[0] == "roofs") p.classes = ClassColumns::written;
   p.block_points = p.run_points = block_points;
   InputLattice lattice = common_lattice(inputs.readers, inputs.crs.metres_per_unit, p.finest_step);
   for (;;) {
@@ -159,8 +189,7 @@ void write_sites(const fs::path& path, const AreaSites& cut, std::span<const Pla
 }
 
 // What a task of this area will need. Memory: what a run of few threads needs, and the sites of the area.
-void estimate_area(const PlanOptions& options, const PointMap& map, std::uint64_t neighbours, Plan& plan,
-                   PlanArea& area) {
+void estimate_area(const PointMap& map, std::uint64_t neighbours, const Plan& plan, PlanArea& area) {
   constexpr std::uint64_t kBytesOfSiteInMemory = 2000;  // Choice: an outline of some ten corners, its record and map
   area.points = map.in(area.read);
   std::uint64_t rows = 0;
@@ -170,13 +199,19 @@ void estimate_area(const PlanOptions& options, const PointMap& map, std::uint64_
     area.input_bytes += plan.inputs[i].record.bytes;
     rows += plan.inputs[i].record.points;
   }
-  const ProductCost& cost = roofs_product().cost;
+  const ProductCost& cost = is_of_planes(plan) ? planes_product().cost : roofs_product().cost;
   constexpr double kMicroseconds = 1e-6, kReading = 0.5;  // as in run_estimate.cpp, for each row that is decoded
   area.processor_seconds =
       kMicroseconds * (static_cast<double>(rows) * kReading + static_cast<double>(area.points) * cost.microseconds);
   area.memory_bytes = kLeastMemory + (area.sites + neighbours) * kBytesOfSiteInMemory;
-  area.part_bytes = area.sites * kPartBytesOfSite;
-  static_cast<void>(options);
+  area.part_bytes = is_of_planes(plan) ? map.in(area.own) * kPartBytesOfPoint : area.sites * kPartBytesOfSite;
+}
+
+void check_count(std::size_t areas) {
+  if (areas <= kMostAreas) return;
+  throw Error("--area-size: gives " + grouped(areas) + " areas, at most " + grouped(kMostAreas) +
+                  " are possible; give a larger one",
+              ExitCode::usage);
 }
 
 void cut(const PlanOptions& options, const IndexResult& index, std::span<const PlannedSite> sites,
@@ -194,18 +229,48 @@ void cut(const PlanOptions& options, const IndexResult& index, std::span<const P
   const double step = index.store.unit() * context.metres_per_unit;
   plan.area_size = options.area_size > 0 ? options.area_size : suitable_area_size(map, step, plan.halo);
   const std::vector<AreaSites> areas = cut_areas(sites, step, {plan.area_size, plan.halo, reach_of(points)});
-  if (areas.size() > kMostAreas)
-    throw Error("--area-size: gives " + grouped(areas.size()) + " areas, at most " + grouped(kMostAreas) +
-                    " are possible; give a larger one",
-                ExitCode::usage);
+  check_count(areas.size());
   fs::remove_all(folder / kSitesFolder);
   fs::create_directories(folder / kSitesFolder);
   for (const AreaSites& a : areas) {
     plan.areas.push_back(a.area);
     PlanArea& area = plan.areas.back();
-    estimate_area(options, map, a.neighbours.size(), plan, area);
+    estimate_area(map, a.neighbours.size(), plan, area);
     write_sites(folder / kSitesFolder / std::to_string(plan.areas.size()), a, sites, area);
   }
+}
+
+// Areas of planes are squares of whole cells, of the side that is nearest to the one that is asked for.
+void cut_cells(const PlanOptions& options, const IndexResult& index, const PassContext& context, Plan& plan) {
+  const PointMap map = map_points(index.store, plan.inputs.size(), context);
+  for (std::size_t i = 0; i < plan.inputs.size(); ++i) plan.inputs[i].box = map.inputs[i];
+  const double step = index.store.unit() * context.metres_per_unit;
+  const std::int64_t edge = largest_cell(step), halo = halo_of_cells(plan.settings, step);
+  const double cell = static_cast<double>(edge) * step;
+  plan.halo = static_cast<double>(halo) * step;
+  plan.halo_why = "margins of cells, and the neighbours from which normals in them follow";
+  const double asked = options.area_size > 0 ? options.area_size : suitable_area_size(map, step, plan.halo);
+  const std::int64_t cells = std::max<std::int64_t>(1, std::llround(asked / cell));
+  plan.area_size = static_cast<double>(cells) * cell;
+  plan.areas = cut_cell_areas(map, {edge, cells, halo});
+  check_count(plan.areas.size());
+  for (PlanArea& area : plan.areas) estimate_area(map, 0, plan, area);
+}
+
+void freeze_roofs(const PlanOptions& options, const RunInputs& inputs, const IndexResult& index,
+                  std::vector<PlannedSite> given, const PassContext& context, Progress& progress, RunRecord& record,
+                  Plan& plan) {
+  const RunOptions& run = options.run;
+  const std::vector<PlannedSite> sites = find_sites(run, index, std::move(given), context, progress, record, plan);
+  {
+    const RoofSetup setup(index.store, sites, run.settings, inputs.crs, context);
+    plan.roofs.frame = {setup.file.city_json.origin, setup.file.city_json.extent, setup.file.further};
+    if (record.footprints) record.footprints->overlaps = overlaps_of(sites, setup.map);
+  }
+  plan.roofs.footprints = record.footprints;
+  plan.roofs.extent = extent_of_points(index.store, context);
+  plan.roofs.sites = sites.size();
+  cut(options, index, sites, context, run.output, plan);
 }
 
 Plan begun(const PlanOptions& options, const RunInputs& inputs, const RunRecord& record) {
@@ -243,18 +308,12 @@ void fill_folder(const PlanOptions& options, const RunInputs& inputs, std::vecto
   progress.end_stage();
   if (index.store.points() == 0) throw Error("none of the points of the inputs can be used; ilot info says why");
   freeze_index(index, inputs, context, plan);
-  const std::vector<PlannedSite> sites = find_sites(run, index, std::move(given), context, progress, record, plan);
-  {
-    const RoofSetup setup(index.store, sites, run.settings, inputs.crs, context);
-    plan.roofs.frame = {setup.file.city_json.origin, setup.file.city_json.extent, setup.file.further};
-    if (record.footprints) record.footprints->overlaps = overlaps_of(sites, setup.map);
-  }
-  plan.roofs.footprints = record.footprints;
-  plan.roofs.extent = extent_of_points(index.store, context);
-  plan.roofs.sites = sites.size();
+  if (is_of_planes(plan))
+    cut_cells(options, index, context, plan);
+  else
+    freeze_roofs(options, inputs, index, std::move(given), context, progress, record, plan);
   plan.skipped = record.skipped;
   plan.warnings = record.warnings;
-  cut(options, index, sites, context, folder, plan);
   fs::remove_all(store);
   fs::create_directories(folder / kPartsFolder);
   write_whole_file(folder / kPlanFile, plan_text(plan));
@@ -267,11 +326,13 @@ int make_plan(const PlanOptions& options, Progress& progress) {
   const RunOptions& run = options.run;
   with_threads(affordable_threads(run.memory_bytes, run.threads > 0 ? run.threads : hardware_threads()), [&] {
     progress.run_start("ilot plan");
-    check_asked(options);
+    check_products(run);
+    check_folder(options);
     const FolderLock lock(run.output, "or give another -o");
     RunRecord record;
     const RunInputs inputs = open_inputs(run, progress, record);
     check_crs(run, inputs, record);
+    check_stations(run, inputs);
     std::vector<PlannedSite> given;
     if (!run.footprints.empty()) given = plan_footprints(run.footprints, run.id_field, inputs.crs, progress, record);
     set_memory_limit(memory_to_fill(run));
@@ -296,8 +357,8 @@ std::string plan_estimate(const fs::path& folder) {
   }
   const auto mebibytes = [](std::uint64_t b) { return grouped((b >> 20) + 1) + " MiB"; };
   std::string text = counted(plan.areas.size(), "area") + " of " + fmt::format("{:.0f}", plan.area_size) + " m, " +
-                     counted(plan.roofs.sites, "building") + ", halo " + fmt::format("{:.1f}", plan.halo) + " m (" +
-                     plan.halo_why + ")\n";
+                     (is_of_planes(plan) ? "planes" : counted(plan.roofs.sites, "building")) + ", halo " +
+                     fmt::format("{:.1f}", plan.halo) + " m (" + plan.halo_why + ")\n";
   text += "tasks    " + grouped(points) + " of " + grouped(plan.points) + " points to work on, some several times; " +
           grouped(most) + " in the largest; about " + fmt::format("{:.0f}", std::ceil(seconds)) +
           " s of processor time\n";

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <queue>
 
 #include "engine/deliverables/report/report.h"
 #include "engine/error.h"
-#include "engine/pass/stop.h"
+#include "engine/pass/pass.h"
+#include "engine/pass/resident.h"
+#include "engine/products/planes/product.h"
 #include "engine/products/roofs/footprint_outcome.h"
 #include "engine/products/roofs/make_roofs.h"
 #include "engine/products/roofs/product.h"
@@ -20,10 +23,13 @@
 #include "engine/run/folder_lock.h"
 #include "engine/run/inputs/input_crs.h"
 #include "engine/run/result_swap.h"
+#include "engine/scale/merge_planes.h"
 #include "engine/scale/part_file.h"
 #include "engine/scale/plan.h"
 #include "engine/scale/records.h"
 #include "engine/scale/site_records.h"
+#include "engine/scale/work_folder.h"
+#include "kernels/core/parallel.h"
 
 namespace ilot {
 namespace {
@@ -50,7 +56,7 @@ class PartReader {
       const auto record = file_.next();
       ended_ = !record || is_summary(*record);
       if (record && ended_) {
-        shifts_ = shifts_of(*record);
+        shifts_ = summary_of(*record).shifts;
         file_.next();  // the end, which proves that the file is whole
       }
       if (!ended_) built_ = built_site(*record);
@@ -157,8 +163,8 @@ Merged merge_buildings(const MergeOptions& options, const Plan& plan, const std:
   return merged;
 }
 
-void make_files(const MergeOptions& options, const Plan& plan, const std::vector<std::uint64_t>& areas,
-                const fs::path& staging, Progress& progress, RunRecord& record) {
+void merge_roofs(const MergeOptions& options, const Plan& plan, const std::vector<std::uint64_t>& areas,
+                 const fs::path& staging, Progress& progress, RunRecord& record) {
   const fs::path folder = staging / "roofs";
   fs::create_directories(folder);
   RoofSink sink(folder, roof_files_params(plan.roofs.frame, plan.settings, plan.crs), plan.crs, nullptr, record);
@@ -189,11 +195,20 @@ void check_output(const fs::path& out) {
                   ExitCode::usage);
 }
 
-}  // namespace
+// What was made, for people.
+std::string made(const Plan& plan, const RunRecord& record) {
+  return is_of_planes(plan) ? planes_product().summary(record) : counted(record.roofs->buildings, "building");
+}
 
-int merge_parts(const MergeOptions& options, Progress& progress) {
+const char* main_file(const Plan& plan) {
+  return is_of_planes(plan) ? planes_product().main_file : roofs_product().main_file;
+}
+
+int merge_in_arena(const MergeOptions& options, Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   const Plan plan = read_plan(options.plan);
+  if (options.labels && !is_of_planes(plan))
+    throw Error("--labels: labelled clouds of a plan of roofs are not built; leave it out", ExitCode::usage);
   std::vector<std::uint64_t> missing;
   const std::vector<std::uint64_t> areas = areas_with_parts(options, plan, missing);
   const fs::path &out = options.output, staging = out / ".new";
@@ -206,23 +221,38 @@ int merge_parts(const MergeOptions& options, Progress& progress) {
   RunRecord record = begun(plan);
   for (const std::uint64_t area : missing)
     record.skipped.push_back({"area", std::to_string(area), "there is no part of this area of the plan"});
-  make_files(options, plan, areas, staging, progress, record);
+  std::optional<WorkFolder> beside;  // labels are renamed from it to a folder of the plan
+  if (options.labels) beside.emplace(options.plan, ".labels-");
+  if (is_of_planes(plan))
+    merge_planes(options, plan, areas, beside ? beside->path() / "store" : out / ".store", staging, progress, record);
+  else
+    merge_roofs(options, plan, areas, staging, progress, record);
   record.exit = record.skipped.empty() ? ExitCode::ok : ExitCode::incomplete;
   for (const std::string& name : product_files(staging))
     record.results.push_back({name, fs::file_size(staging / name)});
   record.result_hash = result_hash(staging);
   record.stages = progress.stages();
-  record.threads = 1;
+  record.threads = is_of_planes(plan) ? thread_count() : 1;
+  if (is_of_planes(plan)) record.memory_bytes = options.memory_bytes;
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   record.peak_rss_bytes = peak_resident_bytes();
   write_run_json(record, staging);
   swap_result(out, {});
-  std::string text = counted(record.roofs->buildings, "building") + " of " + counted(areas.size(), "part") + ": " +
-                     (out / roofs_product().main_file).string();
+  std::string text =
+      made(plan, record) + " of " + counted(areas.size(), "part") + ": " + (out / main_file(plan)).string();
   if (!missing.empty()) text += ", " + counted(missing.size(), "area is", "areas are") + " missing";
   if (options.report) write_report(out);
   progress.run_done(text + (options.report ? "\nopen " + (out / kReportFile).string() : ""));
   return static_cast<int>(record.exit);
+}
+
+}  // namespace
+
+int merge_parts(const MergeOptions& options, Progress& progress) {
+  const int wanted = options.threads > 0 ? options.threads : hardware_threads();
+  int code = 0;
+  with_threads(affordable_threads(options.memory_bytes, wanted), [&] { code = merge_in_arena(options, progress); });
+  return code;
 }
 
 }  // namespace ilot

@@ -32,10 +32,13 @@ PartState part_state(const std::filesystem::path& path, const std::string& plan_
   }
 }
 
-json summary_record(const PartSummary& summary, const ShiftCounts& shifts) {
+json summary_record(const PartSummary& summary) {
   json counts;
-  if (shifts.points > 0) counts = shifts.inside;
-  return {{"without_model", summary.without_model}, {"shift_points", shifts.points}, {"shifts", counts}};
+  if (summary.shifts.points > 0) counts = summary.shifts.inside;
+  return {{"without_model", summary.without_model},
+          {"cells", summary.cells},
+          {"shift_points", summary.shifts.points},
+          {"shifts", counts}};
 }
 
 bool is_summary(const json& record) {
@@ -43,14 +46,10 @@ bool is_summary(const json& record) {
 }
 
 PartSummary summary_of(const json& record) {
-  return {record.at("without_model").get<std::uint64_t>()};
-}
-
-ShiftCounts shifts_of(const json& record) {
-  ShiftCounts counts;
-  counts.points = record.at("shift_points").get<std::uint64_t>();
-  if (counts.points > 0) counts.inside = record.at("shifts").get<decltype(counts.inside)>();
-  return counts;
+  PartSummary summary{record.at("without_model").get<std::uint64_t>(), record.at("cells").get<std::uint64_t>(), {}};
+  summary.shifts.points = record.at("shift_points").get<std::uint64_t>();
+  if (summary.shifts.points > 0) summary.shifts.inside = record.at("shifts").get<decltype(summary.shifts.inside)>();
+  return summary;
 }
 
 }  // namespace ilot

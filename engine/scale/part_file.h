@@ -15,6 +15,8 @@ enum class PartState { missing, stale, damaged, whole };
 // What the end of a part says of it.
 struct PartSummary {
   std::uint64_t without_model = 0;  // buildings that were asked for and could not be made
+  std::uint64_t cells = 0;          // of planes
+  ShiftCounts shifts;               // of buildings
 };
 
 nlohmann::json part_head(const std::string& plan_hash, std::uint64_t area);
@@ -24,9 +26,8 @@ PartState part_state(const std::filesystem::path& path, const std::string& plan_
                      PartSummary& summary);
 
 // The last record of a part.
-nlohmann::json summary_record(const PartSummary& summary, const ShiftCounts& shifts);
+nlohmann::json summary_record(const PartSummary& summary);
 bool is_summary(const nlohmann::json& record);
 PartSummary summary_of(const nlohmann::json& record);
-ShiftCounts shifts_of(const nlohmann::json& record);
 
 }  // namespace ilot

@@ -43,9 +43,11 @@ struct PlanRoofs {
   std::optional<ClustersRecord> clusters;
 };
 
-// An area owns the sites whose first corner lies in its square. Areas have numbers from 1, their place in the list.
+// An area owns the sites whose first corner lies in its square, or the cells of planes whose corner does. Areas have
+// numbers from 1, their place in the list.
 struct PlanArea {
   std::int64_t row = 0, column = 0;   // of the square, counted from the origin of the coordinates
+  IndexBox own = IndexBox::none();    // of planes: whole cells; none in a plan of roofs
   IndexBox read = IndexBox::none();   // points of this box are read; empty: none
   std::uint64_t sites = 0;            // that it owns
   std::vector<std::uint32_t> inputs;  // places in the list of inputs, ascending
@@ -75,13 +77,16 @@ struct Plan {
   std::vector<ChosenRecord> chosen;
   std::vector<SkippedRecord> skipped;
   std::vector<std::string> warnings;
-  PlanRoofs roofs;
+  PlanRoofs roofs;  // of a plan of roofs
   double halo = 0;  // metres around the outlines of an area's sites
   std::string halo_why;
   double area_size = 0;  // metres
   std::vector<PlanArea> areas;
   std::string hash;  // of plan.json; filled in when it is written or read
 };
+
+// Whether the plan is one of planes; else it is one of roofs.
+bool is_of_planes(const Plan& plan);
 
 // The text of plan.json, without the hash.
 std::string plan_text(const Plan& plan);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <set>
 
 #include "engine/pass/pass.h"
 
@@ -38,9 +39,9 @@ PointMap map_of_block(const Store& store, std::uint32_t block, std::size_t input
   return map;
 }
 
-// The whole number of a square of `size` millimetres in which a coordinate lies.
-std::int64_t square_of(std::int64_t mm, std::int64_t size) {
-  return mm >= 0 ? mm / size : -((-mm + size - 1) / size);
+// The whole number of a square of this side in which a coordinate lies, both in the same unit.
+std::int64_t square_of(std::int64_t at, std::int64_t side) {
+  return at >= 0 ? at / side : -((-at + side - 1) / side);
 }
 
 IndexBox read_box(const GridBox& box, double halo, double step) {
@@ -89,6 +90,23 @@ double suitable_area_size(const PointMap& map, double step_metres, double halo) 
   const double occupied = side * side * static_cast<double>(std::max<std::size_t>(1, map.squares.size()));
   const double size = std::sqrt(kPointsOfArea * occupied / static_cast<double>(std::max<std::uint64_t>(1, points)));
   return std::ceil(std::max(size, kLeastHalos * halo) / kRoundTo) * kRoundTo;
+}
+
+std::vector<PlanArea> cut_cell_areas(const PointMap& map, const CellAreaParams& params) {
+  const std::int64_t side = params.cell * params.cells;
+  std::set<std::pair<std::int64_t, std::int64_t>> squares;
+  for (const auto& [square, points] : map.squares)
+    squares.emplace(square_of(square.first << map.bits, side), square_of(square.second << map.bits, side));
+  std::vector<PlanArea> areas;
+  for (const auto& [row, column] : squares) {
+    PlanArea& area = areas.emplace_back();
+    area.row = row;
+    area.column = column;
+    const std::int64_t x = column * side, y = row * side, h = params.halo;
+    area.own = column_over(x, y, x + side - 1, y + side - 1);
+    area.read = column_over(x - h, y - h, x + side - 1 + h, y + side - 1 + h);
+  }
+  return areas;
 }
 
 std::vector<AreaSites> cut_areas(std::span<const PlannedSite> sites, double step_metres, const AreaParams& params) {

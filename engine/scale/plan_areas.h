@@ -41,6 +41,17 @@ struct AreaParams {
   double reach = 0;  // of outlines around them
 };
 
+// What areas of planes need to be cut, in lattice steps.
+struct CellAreaParams {
+  std::int64_t cell = 1;   // edge of the largest cells
+  std::int64_t cells = 1;  // of these along a side of an area
+  std::int64_t halo = 0;   // of points around the cells of an area
+};
+
+// Returns the squares of whole cells that have points, ordered by row and column. Their borders are multiples of the
+// edge of a cell, so each cell of a run lies in one of them.
+std::vector<PlanArea> cut_cell_areas(const PointMap& map, const CellAreaParams& params);
+
 // Returns the areas that own a site, ordered by row and column. A site without an outline belongs to the first. The
 // result is a function of the sites alone; `step_metres` is the lattice step.
 std::vector<AreaSites> cut_areas(std::span<const PlannedSite> sites, double step_metres, const AreaParams& params);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // plan.json and back.
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -136,6 +137,7 @@ Json area_json(const PlanArea& a, std::size_t number) {
   return {{"area", number},
           {"row", a.row},
           {"column", a.column},
+          {"own_steps", box_json(a.own)},
           {"buildings", a.sites},
           {"inputs", a.inputs},
           {"read_steps", box_json(a.read)},
@@ -151,6 +153,7 @@ PlanArea area_of(const Json& j) {
   PlanArea a;
   a.row = j.at("row").get<std::int64_t>();
   a.column = j.at("column").get<std::int64_t>();
+  a.own = box_of(j.at("own_steps"));
   a.sites = j.at("buildings").get<std::uint64_t>();
   a.inputs = j.at("inputs").get<std::vector<std::uint32_t>>();
   a.read = box_of(j.at("read_steps"));
@@ -210,7 +213,7 @@ Plan plan_of(const Json& j) {
   p.points = j.at("points").get<std::uint64_t>();
   p.rejected = j.at("rejected").get<std::map<std::string, std::uint64_t>>();
   read_notes(j.at("notes"), p);
-  p.roofs = roofs_of(j.at("roofs"));
+  if (j.contains("roofs")) p.roofs = roofs_of(j["roofs"]);
   p.halo = j.at("halo").at("metres").get<double>();
   p.halo_why = j.at("halo").at("why").get<std::string>();
   p.area_size = j.at("area_size_m").get<double>();
@@ -220,6 +223,10 @@ Plan plan_of(const Json& j) {
 
 }  // namespace
 
+bool is_of_planes(const Plan& plan) {
+  return std::ranges::find(plan.products, "planes") != plan.products.end();
+}
+
 std::string plan_text(const Plan& p) {
   Json strays = Json::array(), inputs = Json::array(), areas = Json::array();
   for (const CoarseCell& c : p.strays) strays.push_back({c.x, c.y, c.z});
@@ -227,30 +234,30 @@ std::string plan_text(const Plan& p) {
   for (std::size_t n = 0; n < p.areas.size(); ++n) areas.push_back(area_json(p.areas[n], n + 1));
   char hash[20];
   std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(settings_hash(p.settings)));
-  const Json j{{"format", kFormat},
-               {"version", p.version},
-               {"git_hash", p.git_hash},
-               {"products", p.products},
-               {"parameters", Json::parse(settings_json(p.settings))},
-               {"parameters_hash", hash},
-               {"crs_option", p.crs_option},
-               {"text_dialect", p.dialect ? words_of(*p.dialect) : ""},
-               {"crs", crs_json(p.crs)},
-               {"points", p.points},
-               {"rejected", p.rejected},
-               {"inputs", inputs},
-               {"frozen",
-                {{"unit", p.lattice.unit},
-                 {"multiple", p.lattice.multiple},
-                 {"rounding", p.rounding},
-                 {"corner", {p.corner.x, p.corner.y, p.corner.z}},
-                 {"stray_bits", p.stray_bits},
-                 {"stray_cells", strays}}},
-               {"roofs", roofs_json(p.roofs)},
-               {"notes", notes_json(p)},
-               {"halo", {{"metres", p.halo}, {"why", p.halo_why}}},
-               {"area_size_m", p.area_size},
-               {"areas", areas}};
+  Json j{{"format", kFormat},
+         {"version", p.version},
+         {"git_hash", p.git_hash},
+         {"products", p.products},
+         {"parameters", Json::parse(settings_json(p.settings))},
+         {"parameters_hash", hash},
+         {"crs_option", p.crs_option},
+         {"text_dialect", p.dialect ? words_of(*p.dialect) : ""},
+         {"crs", crs_json(p.crs)},
+         {"points", p.points},
+         {"rejected", p.rejected},
+         {"inputs", inputs},
+         {"frozen",
+          {{"unit", p.lattice.unit},
+           {"multiple", p.lattice.multiple},
+           {"rounding", p.rounding},
+           {"corner", {p.corner.x, p.corner.y, p.corner.z}},
+           {"stray_bits", p.stray_bits},
+           {"stray_cells", strays}}},
+         {"notes", notes_json(p)},
+         {"halo", {{"metres", p.halo}, {"why", p.halo_why}}},
+         {"area_size_m", p.area_size},
+         {"areas", areas}};
+  if (!is_of_planes(p)) j["roofs"] = roofs_json(p.roofs);
   return j.dump(1) + "\n";
 }
 

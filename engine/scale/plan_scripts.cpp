@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 
 #include "engine/error.h"
 #include "engine/scale/plan.h"
@@ -12,13 +13,20 @@ namespace {
 
 constexpr std::array<const char*, 5> kKinds{"make", "slurm", "snakemake", "dask", "k8s"};
 
-// In all scripts @PLAN@ is the folder, @N@ the number of areas, @M@ the memory of a task in MiB.
+// In all scripts @PLAN@ is the folder, @N@ the number of areas, @I@ that of inputs, @M@ the memory of a task in MiB.
+// Lines that begin with @C@ are for plans whose clouds can be labelled, those with @R@ for the others.
 constexpr const char* kMake = R"(# make -j 8 -f THIS OUT=out
+@C@# make -j 8 -f THIS OUT=out clouds: labelled clouds too
 ILOT ?= ilot
 OUT ?= out
 PLAN := @PLAN@
 $(OUT)/run.json: $(patsubst %,$(PLAN)/parts/%,$(shell seq 1 @N@))
-	$(ILOT) merge $(PLAN) -o $(OUT) || test $$? -eq 3
+@R@	$(ILOT) merge $(PLAN) -o $(OUT) || test $$? -eq 3
+@C@	$(ILOT) merge $(PLAN) -o $(OUT) $(if $(filter clouds,$(MAKECMDGOALS)),--labels) || test $$? -eq 3
+@C@clouds: $(patsubst %,label-%,$(shell seq 1 @I@))
+@C@label-%: $(OUT)/run.json
+@C@	for try in 1 2 3; do $(ILOT) task $(PLAN) label $* -o $(OUT) --threads 1 -q; code=$$?; \
+@C@	  case $$code in 75) sleep 1;; *) exit $$code;; esac; done; exit 75
 $(PLAN)/parts/%: $(PLAN)/plan.json
 	for try in 1 2 3; do $(ILOT) task $(PLAN) $* --threads 1 -q; code=$$?; \
 	  case $$code in 0|3) exit 0;; 75) sleep 1;; *) exit $$code;; esac; done; exit 75
@@ -26,9 +34,12 @@ $(PLAN)/parts/%: $(PLAN)/plan.json
 
 constexpr const char* kSlurm = R"(#!/bin/sh
 # job=$(sbatch --parsable --array=1-@N@ THIS) && sbatch --dependency=afterok:$job --wrap 'ilot merge @PLAN@ -o out'
+@C@# Clouds: merge with --labels, then sbatch --array=1-@I@ --export=ALL,LABEL_TO=out --dependency=afterok:MERGE THIS
 # More areas than the cluster's MaxArraySize: submit ranges of numbers, with OFFSET=1000 for those from 1001 on.
 #SBATCH --job-name=ilot --cpus-per-task=1 --mem=@M@M --requeue
-"${ILOT:-ilot}" task @PLAN@ $((SLURM_ARRAY_TASK_ID + ${OFFSET:-0})) --threads 1 --memory @M@M -q
+@R@"${ILOT:-ilot}" task @PLAN@ $((SLURM_ARRAY_TASK_ID + ${OFFSET:-0})) --threads 1 --memory @M@M -q
+@C@"${ILOT:-ilot}" task @PLAN@ ${LABEL_TO:+label} $((SLURM_ARRAY_TASK_ID + ${OFFSET:-0})) \
+@C@  ${LABEL_TO:+-o "$LABEL_TO"} --threads 1 --memory @M@M -q
 code=$?
 [ $code -eq 75 ] && [ "${SLURM_RESTART_COUNT:-0}" -lt 3 ] && scontrol requeue "${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID"
 [ $code -eq 3 ] && exit 0
@@ -36,11 +47,19 @@ exit $code
 )";
 
 constexpr const char* kSnakemake = R"(# snakemake --cores 8 --retries 3 --snakefile THIS --config out=out
+@C@# snakemake clouds --cores ...: labelled clouds too
 PLAN, OUT, ILOT = "@PLAN@", config.get("out", "out"), config.get("ilot", "ilot")
 rule merge:
     input: expand(PLAN + "/parts/{n}", n=range(1, @N@ + 1))
     output: OUT + "/run.json"
-    shell: "{ILOT} merge {PLAN} -o {OUT} || test $? -eq 3"
+@R@    shell: "{ILOT} merge {PLAN} -o {OUT} || test $? -eq 3"
+@C@    shell: "{ILOT} merge {PLAN} -o {OUT} --labels || test $? -eq 3"
+@C@rule clouds:
+@C@    input: expand(OUT + ".labelled/{n}", n=range(1, @I@ + 1))
+@C@rule label:
+@C@    input: OUT + "/run.json"
+@C@    output: touch(OUT + ".labelled/{n}")
+@C@    shell: "{ILOT} task {PLAN} label {wildcards.n} -o {OUT} --threads 1 -q"
 rule task:
     output: PLAN + "/parts/{n}"
     shell: "{ILOT} task {PLAN} {wildcards.n} --threads 1 -q || test $? -eq 3"
@@ -48,20 +67,28 @@ rule task:
 
 constexpr const char* kDask = R"(#!/usr/bin/env python3
 # /usr/bin/python3 THIS tcp://SCHEDULER:8786 OUT: the workers see the same folders. Do not name this file dask.py.
+@C@# With a third word, clouds, the labelled clouds are written too.
 import os, subprocess, sys
 from distributed import Client, as_completed
 PLAN, ILOT = "@PLAN@", os.environ.get("ILOT", "ilot")
-def task(n):
-    return n, subprocess.run([ILOT, "task", PLAN, str(n), "--threads", "1", "-q"]).returncode
-client, tries = Client(sys.argv[1]), {}
-work = as_completed(client.map(task, range(1, @N@ + 1), pure=False, retries=3))
-for n, code in (future.result() for future in work):
-    tries[n] = tries.get(n, 0) + 1
-    if code == 75 and tries[n] < 4:
-        work.add(client.submit(task, n, pure=False, retries=3))
-    elif code not in (0, 3):
-        raise SystemExit(f"task {n}: exit {code}")
-raise SystemExit(subprocess.run([ILOT, "merge", PLAN, "-o", sys.argv[2]]).returncode)
+def task(*words):
+    return words, subprocess.run([ILOT, "task", PLAN, *words, "--threads", "1", "-q"]).returncode
+def run_all(tasks):
+    tries, work = {}, as_completed([client.submit(task, *words, pure=False, retries=3) for words in tasks])
+    for words, code in (future.result() for future in work):
+        tries[words] = tries.get(words, 0) + 1
+        if code == 75 and tries[words] < 4:
+            work.add(client.submit(task, *words, pure=False, retries=3))
+        elif code not in (0, 3):
+            raise SystemExit(f"task {' '.join(words)}: exit {code}")
+client, out = Client(sys.argv[1]), sys.argv[2]
+run_all([(str(n),) for n in range(1, @N@ + 1)])
+@R@raise SystemExit(subprocess.run([ILOT, "merge", PLAN, "-o", out]).returncode)
+@C@clouds = sys.argv[3:] == ["clouds"]
+@C@merged = subprocess.run([ILOT, "merge", PLAN, "-o", out, *["--labels"][:clouds]]).returncode
+@C@if clouds and merged in (0, 3):
+@C@    run_all([("label", str(n), "-o", os.path.abspath(out)) for n in range(1, @I@ + 1)])
+@C@raise SystemExit(merged)
 )";
 
 constexpr const char* kKubernetes =
@@ -93,6 +120,18 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
     text.replace(at, what.size(), by);
 }
 
+// Keeps the lines that belong to the plan, without their marks.
+std::string lines_for(const std::string& text, bool labels) {
+  std::string kept;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const bool marked = line.starts_with("@C@") || line.starts_with("@R@");
+    if (marked && line.starts_with("@C@") != labels) continue;
+    kept += (marked ? line.substr(3) : line) + "\n";
+  }
+  return kept;
+}
+
 const char* template_of(const std::string& kind) {
   constexpr std::array kTexts{kMake, kSlurm, kSnakemake, kDask, kKubernetes};
   const auto at = std::find(kKinds.begin(), kKinds.end(), kind);
@@ -108,8 +147,9 @@ std::span<const char* const> script_kinds() {
 }
 
 std::string plan_script(const std::filesystem::path& folder, const std::string& kind) {
-  std::string text = template_of(kind);
+  const char* lines = template_of(kind);
   const Plan plan = read_plan(folder);
+  std::string text = lines_for(lines, is_of_planes(plan));
   const std::string path = std::filesystem::absolute(folder).lexically_normal().string();
   const auto plain = [](unsigned char c) {
     return std::isalnum(c) != 0 || std::string("/._+-").find(static_cast<char>(c)) != std::string::npos;
@@ -123,6 +163,7 @@ std::string plan_script(const std::filesystem::path& folder, const std::string& 
   for (const PlanArea& area : plan.areas) memory = std::max(memory, (area.memory_bytes >> 20) + 1);
   replace_all(text, "@PLAN@", path.size() > 1 && path.back() == '/' ? path.substr(0, path.size() - 1) : path);
   replace_all(text, "@N@", std::to_string(plan.areas.size()));
+  replace_all(text, "@I@", std::to_string(plan.inputs.size()));
   replace_all(text, "@M@", std::to_string(memory));
   return text;
 }

@@ -11,14 +11,14 @@
 #include "engine/products/roofs/make_roofs.h"
 #include "engine/products/roofs/roof_roles.h"
 #include "engine/report/counted.h"
-#include "engine/run/inputs/open_inputs.h"
 #include "engine/run/memory_budget.h"
-#include "engine/run/run_context.h"
-#include "engine/run/run_request.h"
+#include "engine/scale/cell_part.h"
+#include "engine/scale/label_task.h"
 #include "engine/scale/part_file.h"
 #include "engine/scale/plan.h"
 #include "engine/scale/records.h"
 #include "engine/scale/site_records.h"
+#include "engine/scale/task_inputs.h"
 #include "engine/scale/work_folder.h"
 #include "engine/store/flushed.h"
 #include "kernels/core/parallel.h"
@@ -52,49 +52,6 @@ LocalSites read_sites(const fs::path& path, const PlanArea& area) {
   return local;
 }
 
-// Throws Error where an input is not the one that the plan was made from.
-void check_inputs(const Plan& plan, const PlanArea& area) {
-  for (const std::uint32_t i : area.inputs) {
-    const PlanInput& input = plan.inputs.at(i);
-    const fs::path path = input.record.path;
-    std::error_code code;
-    const std::uint64_t bytes = fs::file_size(path, code);
-    if (code) throw Error(path.string() + ": the plan needs this input, and it is not there; put it back");
-    if (bytes != input.record.bytes || ends_of(path) != input.ends)
-      throw Error(path.string() + ": was changed after the plan was made; make the plan again");
-  }
-}
-
-RunOptions options_of(const TaskOptions& task, const Plan& plan, const PlanArea& area) {
-  RunOptions options;
-  for (const std::uint32_t i : area.inputs) options.inputs.emplace_back(plan.inputs[i].record.path);
-  options.products = plan.products;
-  options.settings = plan.settings;
-  options.crs = plan.crs_option;
-  options.dialect = plan.dialect;
-  options.memory_bytes = task.memory_bytes;
-  options.threads = task.threads;
-  options.clouds = false;
-  return options;
-}
-
-RunInputs open_needed(const RunOptions& options, const Plan& plan) {
-  if (options.inputs.empty()) {
-    RunInputs none;
-    none.crs = plan.crs;
-    return none;
-  }
-  Progress silent;  // the plan has told what there is to say of the inputs
-  RunRecord record;
-  RunInputs inputs = open_inputs(options, silent, record);
-  if (inputs.readers.size() != options.inputs.size())
-    throw Error(record.skipped.empty() ? "an input cannot be read" : record.skipped.front().reason);
-  if (inputs.crs.metres_per_unit != plan.crs.metres_per_unit)
-    throw Error(options.inputs[0].string() + ": gives another CRS alone than with the others; make the plan with --crs",
-                ExitCode::usage);
-  return inputs;
-}
-
 Store index_of_area(const RunOptions& options, const RunInputs& inputs, const Plan& plan, const PlanArea& area,
                     const fs::path& folder, const PassContext& context) {
   if (inputs.readers.empty() || area.read.is_empty()) return {folder, plan.lattice.unit, {}};
@@ -106,7 +63,7 @@ Store index_of_area(const RunOptions& options, const RunInputs& inputs, const Pl
   p.finest_step = options.settings.index.finest_step;
   p.keep_strays = options.settings.index.keep_strays;
   p.strays = Strays(plan.stray_bits, plan.strays);
-  p.classes = ClassColumns::written;
+  if (!is_of_planes(plan)) p.classes = ClassColumns::written;
   p.block_points = p.run_points = affordable_block_points(options, thread_count());
   IndexResult index = build_index(inputs.readers, p, folder, context);
   if (!(index.lattice == plan.lattice))
@@ -114,32 +71,13 @@ Store index_of_area(const RunOptions& options, const RunInputs& inputs, const Pl
   return std::move(index.store);
 }
 
-PassContext context_of(const RunOptions& options, const RunInputs& inputs, const Plan& plan, Progress& progress) {
-  PassContext context = pass_context(options, inputs, affordable_block_points(options, thread_count()), progress);
-  context.metres_per_unit = plan.crs.metres_per_unit;
-  context.rounding = plan.rounding;
-  context.corner = plan.corner;
-  return context;
-}
-
 bool is_outside(const Plan& plan, const PlannedSite& site) {
   return !site.outline.polygon.empty() && !site.outline.box.meets(plan.roofs.extent);
 }
 
-// Makes the buildings of the area and returns what the end of the part says.
-PartSummary make_part(const TaskOptions& task, const Plan& plan, const PlanArea& area, const WorkFolder& work,
-                      const fs::path& part, Progress& progress) {
-  const RunOptions options = options_of(task, plan, area);
-  const LocalSites local = read_sites(task.plan / kSitesFolder / std::to_string(task.area), area);
-  const RunInputs inputs = open_needed(options, plan);
-  set_memory_limit(memory_to_fill(options));
-  const fs::path folder = work.path() / "store";
-  fs::create_directories(folder);
-  open_flushed(folder);
-  const PassContext context = context_of(options, inputs, plan, progress);
-  progress.begin_stage("index", inputs.points);
-  const Store store = index_of_area(options, inputs, plan, area, folder, context);
-  progress.end_stage();
+// Makes the buildings of the area, and returns what the end of the part says.
+PartSummary write_buildings(const Store& store, const LocalSites& local, const Plan& plan, const PassContext& context,
+                            Progress& progress, RecordFileWriter& file) {
   if (store.points() > 0) make_roof_roles(store, plan.settings, context, progress, plan.roofs.by_shape);
   const RoofSetup setup(store, local.sites, plan.settings, plan.crs, context);
   std::vector<std::size_t> sample;
@@ -149,9 +87,8 @@ PartSummary make_part(const TaskOptions& task, const Plan& plan, const PlanArea&
       if (std::ranges::binary_search(of_all, local.numbers[local.own[n]])) sample.push_back(n);
   }
   RoofLabels labels(store);
-  RecordFileWriter file(part, part_head(plan.hash, task.area));
   PartSummary summary;
-  const ShiftCounts shifts =
+  summary.shifts =
       model_buildings(setup, local.own, sample, context, progress, labels, [&](std::size_t n, SiteResult& result) {
         std::uint64_t labelled = 0;
         for (const LabelRun& run : result.labels) labelled += run.count;
@@ -160,7 +97,31 @@ PartSummary make_part(const TaskOptions& task, const Plan& plan, const PlanArea&
         file.add(record_of(BuiltSite{local.numbers[local.own[n]], labelled, outside, std::move(result)}));
       });
   progress.end_stage();
-  file.add(summary_record(summary, shifts));
+  return summary;
+}
+
+// Makes the part of the area, and returns what its end says.
+PartSummary make_part(const TaskOptions& task, const Plan& plan, const PlanArea& area, const WorkFolder& work,
+                      const fs::path& part, Progress& progress) {
+  const RunOptions options = run_options(task, plan, area.inputs);
+  LocalSites local;
+  if (!is_of_planes(plan)) local = read_sites(task.plan / kSitesFolder / std::to_string(task.number), area);
+  const RunInputs inputs = open_needed(options, plan);
+  set_memory_limit(memory_to_fill(options));
+  const fs::path folder = work.path() / "store";
+  fs::create_directories(folder);
+  open_flushed(folder);
+  const PassContext context = frozen_context(options, inputs, plan, progress);
+  progress.begin_stage("index", inputs.points);
+  const Store store = index_of_area(options, inputs, plan, area, folder, context);
+  progress.end_stage();
+  RecordFileWriter file(part, part_head(plan.hash, task.number));
+  PartSummary summary;
+  if (is_of_planes(plan))
+    summary.cells = write_cells(store, inputs, plan, area, context, progress, file);
+  else
+    summary = write_buildings(store, local, plan, context, progress, file);
+  file.add(summary_record(summary));
   file.finish();
   return summary;
 }
@@ -169,11 +130,11 @@ int exit_code(const PartSummary& summary) {
   return static_cast<int>(summary.without_model == 0 ? ExitCode::ok : ExitCode::incomplete);
 }
 
-int work_on(const TaskOptions& options, const Plan& plan, Progress& progress) {
-  const PlanArea& area = plan.areas[options.area - 1];
-  const fs::path parts = options.plan / kPartsFolder, part = parts / std::to_string(options.area);
+int work_on_area(const TaskOptions& options, const Plan& plan, Progress& progress) {
+  const PlanArea& area = plan.areas[options.number - 1];
+  const fs::path parts = options.plan / kPartsFolder, part = parts / std::to_string(options.number);
   PartSummary summary;
-  const PartState state = part_state(part, plan.hash, options.area, summary);
+  const PartState state = part_state(part, plan.hash, options.number, summary);
   if (state == PartState::whole) {
     progress.note(part.string() + ": is done, nothing is left to do");
     return exit_code(summary);
@@ -181,46 +142,64 @@ int work_on(const TaskOptions& options, const Plan& plan, Progress& progress) {
   if (state != PartState::missing)
     progress.note(part.string() + (state == PartState::stale ? ": belongs to another plan" : ": is damaged") +
                   " and is made again");
-  check_inputs(plan, area);
-  const std::string beginning = "." + std::to_string(options.area) + "-";
+  check_inputs(plan, area.inputs);
+  const std::string beginning = "." + std::to_string(options.number) + "-";
   const WorkFolder beside(parts, beginning);
   std::optional<WorkFolder> elsewhere;
   if (!options.work.empty()) elsewhere.emplace(options.work, "ilot-task" + beginning);
   const fs::path made = beside.path() / "part";
   summary = make_part(options, plan, area, elsewhere ? *elsewhere : beside, made, progress);
-  check_inputs(plan, area);  // a change while the task read
-  fs::rename(made, part);    // a twin's file has the same bytes
-  progress.run_done(part.string() + ": " + counted(area.sites, "building") +
+  check_inputs(plan, area.inputs);  // a change while the task read
+  fs::rename(made, part);           // a twin's file has the same bytes
+  progress.run_done(part.string() + ": " +
+                    (is_of_planes(plan) ? counted(summary.cells, "cell") : counted(area.sites, "building")) +
                     (summary.without_model == 0 ? "" : ", " + grouped(summary.without_model) + " without a model"));
   return exit_code(summary);
 }
 
+std::vector<std::uint32_t> inputs_of(const TaskOptions& options, const Plan& plan) {
+  if (options.label) return {static_cast<std::uint32_t>(options.number - 1)};
+  return plan.areas[options.number - 1].inputs;
+}
+
 // Where the inputs are as the plan says, their points were read once already: what failed was the machine.
-[[noreturn]] void throw_after(const std::string& fault, const Plan& plan, std::uint64_t area) {
-  check_inputs(plan, plan.areas[area - 1]);
+[[noreturn]] void throw_after(const std::string& fault, const Plan& plan, std::span<const std::uint32_t> inputs) {
+  check_inputs(plan, inputs);
   throw Error(fault + " (exit 75: try the task again)", ExitCode::try_again);
+}
+
+int work_on(const TaskOptions& options, const Plan& plan, Progress& progress) {
+  if (!options.label) return work_on_area(options, plan, progress);
+  label_input(options, plan, progress);
+  return 0;
+}
+
+void check_number(const TaskOptions& options, const Plan& plan) {
+  const std::size_t most = options.label ? plan.inputs.size() : plan.areas.size();
+  if (options.number >= 1 && options.number <= most) return;
+  throw Error("task " + std::string(options.label ? "label " : "") + std::to_string(options.number) +
+                  ": the plan has " + (options.label ? "inputs" : "areas") + " 1 to " + std::to_string(most),
+              ExitCode::usage);
 }
 
 }  // namespace
 
 int run_task(const TaskOptions& options, Progress& progress) {
   const Plan plan = read_plan(options.plan);
-  if (options.area < 1 || options.area > plan.areas.size())
-    throw Error(
-        "task " + std::to_string(options.area) + ": the plan has areas 1 to " + std::to_string(plan.areas.size()),
-        ExitCode::usage);
+  check_number(options, plan);
   progress.run_start("ilot task");
   const int wanted = options.threads > 0 ? options.threads : hardware_threads();
+  const std::vector<std::uint32_t> inputs = inputs_of(options, plan);
   int code = 0;
   try {
     with_threads(affordable_threads(options.memory_bytes, wanted), [&] { code = work_on(options, plan, progress); });
   } catch (const Error& fault) {
     if (fault.code() == ExitCode::usage) throw;
-    throw_after(fault.what(), plan, options.area);
+    throw_after(fault.what(), plan, inputs);
   } catch (const fs::filesystem_error& fault) {
-    throw_after(fault.what(), plan, options.area);
+    throw_after(fault.what(), plan, inputs);
   } catch (const std::bad_alloc&) {
-    throw_after("out of memory", plan, options.area);
+    throw_after("out of memory", plan, inputs);
   }
   return code;
 }

@@ -41,20 +41,17 @@ class Gatherer {
 
 // Sorts tile by tile and frees each tile as soon as it is written.
 void write_points(std::map<Tile, std::vector<KeyValue>>& tiles, SortedRun& run, std::optional<CoarseCells>& cells) {
-  ColumnWriter<KeyValue> file(with_suffix(run.stem, ".points"));
-  std::uint64_t written = 0;
+  SortedRunWriter file(run.stem);
   for (auto& [tile, points] : tiles) {
     const std::uint64_t n = points.size();
     sort_pairs(points, {std::make_unique_for_overwrite<KeyValue[]>(n).get(), n});
-    run.tiles.push_back({tile, written, written + n});
-    const std::uint64_t to_sample = (kRunSample - written % kRunSample) % kRunSample;
-    for (std::uint64_t i = to_sample; i < n; i += kRunSample) run.samples.push_back(points[i].key);
-    file.append(points);
+    file.add(tile, points);
     if (cells) cells->add(tile, points);
-    written += n;
     std::vector<KeyValue>().swap(points);
   }
-  file.commit();
+  SortedRun written = file.finish();
+  run.tiles = std::move(written.tiles);
+  run.samples = std::move(written.samples);
 }
 
 // Finds the points that are not on a lattice that is coarser than the scale of their file.
@@ -107,6 +104,25 @@ std::optional<Rejection> rejection_of(const PointFields& f, bool valid, const La
 }
 
 }  // namespace
+
+SortedRunWriter::SortedRunWriter(const std::filesystem::path& stem)
+    : run_{stem, {}, {}, {}, {}}, file_(with_suffix(stem, ".points")) {}
+
+void SortedRunWriter::add(Tile tile, std::span<const KeyValue> points) {
+  if (points.empty()) return;
+  const std::uint64_t n = points.size();
+  if (run_.tiles.empty() || run_.tiles.back().tile != tile) run_.tiles.push_back({tile, written_, written_});
+  run_.tiles.back().end += n;
+  const std::uint64_t to_sample = (kRunSample - written_ % kRunSample) % kRunSample;
+  for (std::uint64_t i = to_sample; i < n; i += kRunSample) run_.samples.push_back(points[i].key);
+  file_.append(points);
+  written_ += n;
+}
+
+SortedRun SortedRunWriter::finish() {
+  file_.commit();
+  return std::move(run_);
+}
 
 void refuse_many_tiles(std::size_t tiles) {
   if (tiles <= kMostTiles) return;

@@ -75,6 +75,21 @@ constexpr std::uint8_t echoes_of(RunValue value) {
   return value & 3;
 }
 
+// Writes the points of a run, which come in their order.
+class SortedRunWriter {
+ public:
+  explicit SortedRunWriter(const std::filesystem::path& stem);
+  // Points of one tile, ascending by code. Tiles ascend; the points of a tile may come in several calls.
+  void add(Tile tile, std::span<const KeyValue> points);
+  // Completes stem.points. The table is not written: the run is known to the caller alone.
+  SortedRun finish();
+
+ private:
+  SortedRun run_;
+  ColumnWriter<KeyValue> file_;
+  std::uint64_t written_ = 0;
+};
+
 struct RunSource {
   PointReader& reader;
   std::uint32_t file = 0;              // number of the input

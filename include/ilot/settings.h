@@ -16,7 +16,7 @@ namespace ilot {
 
 struct IndexSettings {
   std::uint64_t block_points = 1u << 20;  // most points in one block of the store
-  double finest_step = 0.00001;           // metres; coordinates in finer steps are rounded to it
+  double finest_step = 0.0001;            // metres; coordinates in finer steps are rounded to it
   bool keep_strays = false;               // points that stand alone, far from all others
 };
 

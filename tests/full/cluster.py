@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Dask (scheduler and two workers on the loopback), Snakemake and Slurm's array script run a plan; each result is that of one
-run. The Slurm script runs without daemons, with SLURM_ARRAY_TASK_ID set. Debian: python3-distributed, snakemake."""
+"""Dask (scheduler and two workers on the loopback), Snakemake and Slurm's array script run a plan of roofs, and one of planes
+with labelled clouds; each result is that of one run. The Slurm script runs without daemons, with SLURM_ARRAY_TASK_ID set. Debian: python3-distributed, snakemake."""
 import json
 import os
 import pathlib
@@ -33,7 +33,7 @@ def script(plan, kind, path):
     return path
 
 
-def with_dask(folder, plan, areas):
+def with_dask(folder, plan, areas, clouds):
     program = script(plan, "dask", folder / "run_plan.py")
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "cwd": folder}
     both = [subprocess.Popen(["dask-scheduler", "--host", "127.0.0.1", "--port", PORT, "--no-dashboard"], **quiet)]
@@ -41,7 +41,8 @@ def with_dask(folder, plan, areas):
         time.sleep(3)
         both.append(subprocess.Popen(["dask-worker", f"tcp://127.0.0.1:{PORT}", "--nworkers", "2", "--nthreads", "1",
                                       "--no-dashboard"], **quiet))
-        run("/usr/bin/python3", program, f"tcp://127.0.0.1:{PORT}", folder / "dask", cwd=folder)
+        run("/usr/bin/python3", program, f"tcp://127.0.0.1:{PORT}", folder / "dask", *(["clouds"] if clouds else []),
+            cwd=folder)
     finally:
         for process in reversed(both):
             process.terminate()
@@ -49,19 +50,36 @@ def with_dask(folder, plan, areas):
     return folder / "dask"
 
 
-def with_snakemake(folder, plan, areas):
+def with_snakemake(folder, plan, areas, clouds):
     program = script(plan, "snakemake", folder / "Snakefile")
-    run("snakemake", "--cores", "2", "--retries", "3", "--snakefile", program, "--config", f"out={folder}/snakemake",
+    run("snakemake", *(["clouds"] if clouds else []), "--cores", "2", "--retries", "3", "--snakefile", program, "--config", f"out={folder}/snakemake",
         f"ilot={EXE}", cwd=folder)
     return folder / "snakemake"
 
 
-def with_slurm_script(folder, plan, areas):
+def with_slurm_script(folder, plan, areas, clouds):
     program = script(plan, "slurm", folder / "plan.sh")
     for number in range(1, areas + 1):
         run("sh", program, env={**os.environ, "SLURM_ARRAY_TASK_ID": str(number)})
-    run(EXE, "merge", plan, "-o", folder / "slurm")
+    run(EXE, "merge", plan, "-o", folder / "slurm", *(["--labels"] if clouds else []))
+    for number in range(1, clouds + 1):
+        run("sh", program, env={**os.environ, "SLURM_ARRAY_TASK_ID": str(number), "LABEL_TO": str(folder / "slurm")})
     return folder / "slurm"
+
+
+def compare(cloud, folder, product, clouds):
+    """`clouds` is the number of labelled clouds to write."""
+    folder = folder / product
+    folder.mkdir()
+    run(EXE, "run", cloud, "-o", folder / "one", "--products", product, "--no-report", *([] if clouds else ["--no-clouds"]))
+    plan = folder / "plan"
+    run(EXE, "plan", cloud, "-o", plan, "--products", product, "--area-size", "100")
+    areas = len(json.loads((plan / "plan.json").read_text())["areas"])
+    for work in (with_dask, with_snakemake, with_slurm_script):
+        same = hash_of(work(folder, plan, areas, clouds)) == hash_of(folder / "one")
+        print(f"{product}, {work.__name__}: {areas} areas, {'the bytes of one run' if same else 'ANOTHER RESULT'}", flush=True)
+        if not same:
+            sys.exit(1)
 
 
 def main():
@@ -73,15 +91,8 @@ def main():
     with tempfile.TemporaryDirectory(prefix="ilot-cluster-") as name:
         folder = pathlib.Path(name)
         run(EXE, "scan", "district", "-o", folder / "d.laz", "--points", "200000", "-q")
-        run(EXE, "run", folder / "d.laz", "-o", folder / "one", "--products", "roofs", "--no-clouds", "--no-report")
-        plan = folder / "plan"
-        run(EXE, "plan", folder / "d.laz", "-o", plan, "--area-size", "100")
-        areas = len(json.loads((plan / "plan.json").read_text())["areas"])
-        for work in (with_dask, with_snakemake, with_slurm_script):
-            same = hash_of(work(folder, plan, areas)) == hash_of(folder / "one")
-            print(f"{work.__name__}: {areas} areas, {'the bytes of one run' if same else 'ANOTHER RESULT'}", flush=True)
-            if not same:
-                sys.exit(1)
+        compare(folder / "d.laz", folder, "roofs", 0)
+        compare(folder / "d.laz", folder, "planes", 1)
 
 
 if __name__ == "__main__":

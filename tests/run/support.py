@@ -8,6 +8,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 EXE = os.environ["ILOT_EXE"]
@@ -102,6 +103,15 @@ def small_las(path, points, scale=(0.001, 0.001, 0.001), offset=(0, 0, 0), decla
                     for x, y, z, *code in points)
     pathlib.Path(path).write_bytes(head + rows)
     return path
+
+
+def kill_at_work(command, folder, beginning):
+    """Starts the program and kills it as soon as it has a locked folder of this name in `folder`, or when it has ended."""
+    process = subprocess.Popen([EXE, *map(str, command)])
+    while process.poll() is None and not list(pathlib.Path(folder).glob(f"{beginning}*/.ilot-lock")):
+        time.sleep(0.002)
+    process.kill()
+    process.wait()
 
 
 def planes_of(out):

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // ilot plan, ilot task and ilot merge: one result from many processes.
+#include <charconv>
 #include <memory>
 #include <string>
 #include <vector>
@@ -86,29 +87,53 @@ int plan_command(const PlanArguments& given) {
 }
 
 struct TaskArguments {
-  std::string plan, memory, work;
-  std::uint64_t area = 0;
+  std::string plan, memory, work, output;
+  std::vector<std::string> what;  // "7", or "label", "7"
   int threads = 0;
   bool quiet = false;
 };
 
+std::uint64_t number_of(const std::string& text) {
+  std::uint64_t number = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (fault != std::errc() || end != text.data() + text.size() || number == 0)
+    throw Error("task " + text + ": must be a whole number from 1", ExitCode::usage);
+  return number;
+}
+
 int task_command(const TaskArguments& given) {
   if (given.plan.empty()) throw Error("task: no PLAN given (ilot task --help)", ExitCode::usage);
-  if (given.area == 0) throw Error("task: no area given: N from 1 (ilot task --help)", ExitCode::usage);
+  const bool label = given.what.size() == 2;
+  if (given.what.empty()) throw Error("task: no area given: N from 1 (ilot task --help)", ExitCode::usage);
+  if (label && given.what[0] != "label")
+    throw Error("task " + given.what[0] + ": must be a number, or label and a number", ExitCode::usage);
+  if (label == given.output.empty())
+    throw Error("task: -o OUT belongs to label N, which writes a cloud to OUT/points (ilot task --help)",
+                ExitCode::usage);
   ConsoleProgress progress(given.quiet ? Verbosity::quiet : Verbosity::normal, "");
-  return run_task({given.plan, given.area, memory_of(given.memory), given.threads, given.work}, progress.get());
+  return run_task({.plan = given.plan,
+                   .number = number_of(given.what.back()),
+                   .memory_bytes = memory_of(given.memory),
+                   .threads = given.threads,
+                   .work = given.work,
+                   .label = label,
+                   .output = given.output},
+                  progress.get());
 }
 
 struct MergeArguments {
-  std::string plan, output;
-  bool allow_missing = false, no_report = false, quiet = false;
+  std::string plan, output, memory;
+  int threads = 0;
+  bool allow_missing = false, no_report = false, labels = false, quiet = false;
 };
 
 int merge_command(const MergeArguments& given) {
   if (given.plan.empty()) throw Error("merge: no PLAN given (ilot merge --help)", ExitCode::usage);
   if (given.output.empty()) throw Error("merge: no output folder given: -o OUT (ilot merge --help)", ExitCode::usage);
   ConsoleProgress progress(given.quiet ? Verbosity::quiet : Verbosity::normal, "");
-  return merge_parts({given.plan, given.output, given.allow_missing, !given.no_report}, progress.get());
+  return merge_parts({given.plan, given.output, given.allow_missing, !given.no_report, given.labels,
+                      memory_of(given.memory), given.threads},
+                     progress.get());
 }
 
 void add_machine_options(CLI::App& command, std::string& memory, int& threads) {
@@ -121,7 +146,7 @@ void add_plan_work(CLI::App& command, PlanArguments& given) {
   command.add_option("INPUT", given.inputs, "point clouds, as for ilot run; with --as and --estimate a PLAN")
       ->option_text("...");
   command.add_option("-o,--output", given.output, "folder for the plan, must not exist [none]")->option_text("PLAN");
-  command.add_option("--products", given.products, "what to make; a plan can make roofs [roofs]")
+  command.add_option("--products", given.products, "what to make: roofs or planes [roofs]")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->option_text("LIST");
@@ -160,7 +185,11 @@ void add_task_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("task", "Works on one area of a plan: PLAN/parts/N");
   auto given = std::make_shared<TaskArguments>();
   command->add_option("PLAN", given->plan, "the folder of a plan")->option_text(" ");
-  command->add_option("N", given->area, "number of the area, from 1")->option_text(" ");
+  command->add_option("N", given->what, "number of an area, or label and the number of an input; from 1")
+      ->expected(1, 2)
+      ->option_text(" ");
+  command->add_option("-o,--output", given->output, "with label N: the merged result, gets the cloud [none]")
+      ->option_text("OUT");
   add_machine_options(*command, given->memory, given->threads);
   command->add_option("--work", given->work, "folder for blocks while the task works [PLAN/parts]")->option_text("DIR");
   command->add_flag("-q,--quiet", given->quiet, "say only what is wrong [off]");
@@ -168,7 +197,8 @@ void add_task_command(CLI::App& app, Action& action) {
       "Exit codes: 0 done, or done already; 1 and 2 wrong input, do not try again; 3 done, but a building has no "
       "model;\n"
       "75 the machine was at fault (disk, memory, a signal), try again.\n"
-      "Example: ilot task plan 7 --threads 1");
+      "Example: ilot task plan 7 --threads 1\n"
+      "Example: ilot task plan label 3 -o out");
   command->callback([given, &action] { action = [given] { return task_command(*given); }; });
 }
 
@@ -180,6 +210,8 @@ void add_merge_command(CLI::App& app, Action& action) {
       ->option_text("OUT");
   command->add_flag("--allow-missing", given->allow_missing, "areas without a part are holes; exit code 3 [off]");
   command->add_flag("--no-report", given->no_report, "do not write report.html [off]");
+  command->add_flag("--labels", given->labels, "leave labels in PLAN for ilot task PLAN label N; of planes [off]");
+  add_machine_options(*command, given->memory, given->threads);
   command->add_flag("-q,--quiet", given->quiet, "say only what is wrong [off]");
   command->footer("Example: ilot merge plan -o out");
   command->callback([given, &action] { action = [given] { return merge_command(*given); }; });

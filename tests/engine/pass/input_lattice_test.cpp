@@ -137,14 +137,21 @@ TEST_F(InputLatticeOf, AllInputsShareIt) {
 
 TEST_F(InputLatticeOf, IsTheScaleWhereThatIsNeeded) {
   write(at("fine.las"), house(), 1e-5);
-  EXPECT_EQ(common_lattice(open({"fine.las"}), 1), InputLattice(1e-5));
-  write(at("finest.las"), house(), 1e-7);
-  EXPECT_EQ(common_lattice(open({"finest.las"}), 1), InputLattice(1e-5)) << "0.01 mm at least";
-  EXPECT_EQ(common_lattice(open({"finest.las"}), 0.3048), InputLattice(1e-5 / 0.3048));
+  EXPECT_EQ(common_lattice(open({"fine.las"}), 1, 1e-5), InputLattice(1e-5));
+  write(at("tenth.las"), house(), 1e-4);
+  EXPECT_EQ(common_lattice(open({"tenth.las"}), 1), InputLattice(1e-4));
   write(at("off.las"), times(house(), 100), 1e-5, 0.000003);
-  EXPECT_EQ(common_lattice(open({"off.las"}), 1), InputLattice(1e-5)) << "its offset is on no lattice";
+  EXPECT_EQ(common_lattice(open({"off.las"}), 1, 1e-5), InputLattice(1e-5)) << "its offset is on no lattice";
   write(at("zeros.las"), std::vector<Index3>(100), 1e-5);
-  EXPECT_EQ(common_lattice(open({"zeros.las"}), 1), InputLattice(1e-5));
+  EXPECT_EQ(common_lattice(open({"zeros.las"}), 1, 1e-5), InputLattice(1e-5));
+}
+
+TEST_F(InputLatticeOf, IsNeverFinerThanTheFinestStep) {
+  for (const auto& [name, scale] : {std::pair{"fine.las", 1e-5}, {"finest.las", 1e-7}}) {
+    write(at(name), house(), scale);
+    EXPECT_EQ(common_lattice(open({name}), 1), InputLattice(1e-4)) << "a tenth of a millimetre at least";
+    EXPECT_EQ(common_lattice(open({name}), 0.3048), InputLattice(1e-4 / 0.3048));
+  }
 }
 
 }  // namespace

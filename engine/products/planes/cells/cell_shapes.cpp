@@ -14,10 +14,6 @@ struct Header {
 
 using Place = std::array<std::int32_t, 3>;
 
-std::filesystem::path path_of(const Store& store, const Cell& cell) {
-  return store.folder() / "cells" / (cell.node.name() + ".shapes");
-}
-
 Place place_of(const CellPoints& cp, std::uint32_t i) {
   return {static_cast<std::int32_t>(cp.x[i]), static_cast<std::int32_t>(cp.y[i]), static_cast<std::int32_t>(cp.z[i])};
 }
@@ -44,6 +40,10 @@ void add_shape(CellShapes& out, const CellPoints& cp, const FoundShape& found,
 
 }  // namespace
 
+std::filesystem::path shapes_path(const Store& store, const Cell& cell) {
+  return store.folder() / "cells" / (cell.node.name() + ".shapes");
+}
+
 void write_cell_shapes(const Store& store, const Cell& cell, const CellPoints& cp, const ShapeSegments& found,
                        const PlaneParams& params) {
   std::vector<std::vector<std::uint32_t>> members(found.shapes.size());
@@ -60,7 +60,7 @@ void write_cell_shapes(const Store& store, const Cell& cell, const CellPoints& c
     for (std::uint32_t i = 0; i < cp.size; ++i)
       if (cp.core[i]) out.labels.push_back(number[found.label[i]]);
   const Header header{out.shapes.size(), out.samples.size(), out.labels.size()};
-  RecordWriter writer(path_of(store, cell));
+  RecordWriter writer(shapes_path(store, cell));
   writer.append(std::as_bytes(std::span(&header, 1)));
   writer.append(std::as_bytes(std::span(out.shapes)));
   writer.append(std::as_bytes(std::span(out.samples)));
@@ -70,7 +70,7 @@ void write_cell_shapes(const Store& store, const Cell& cell, const CellPoints& c
 
 CellShapes read_cell_shapes(const Store& store, const Cell& cell, CellPart part) {
   CellShapes out;
-  const std::filesystem::path path = path_of(store, cell);
+  const std::filesystem::path path = shapes_path(store, cell);
   if (!std::filesystem::exists(path)) return out;
   const RecordReader reader(path);
   Header header;

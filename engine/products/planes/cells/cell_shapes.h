@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <vector>
 
 #include "engine/products/planes/cells/auto_params.h"
@@ -28,6 +29,9 @@ struct CellShapes {
   std::vector<std::uint32_t> labels;  // per point of the cell, in order: 0 = none, else 1 + index; empty without shapes
 };
 constexpr std::uint32_t kShapeSamples = 512;
+
+// The file in which the shapes of a cell are stored.
+std::filesystem::path shapes_path(const Store& store, const Cell& cell);
 
 // Stores the shapes that have points in the cell itself.
 void write_cell_shapes(const Store& store, const Cell& cell, const CellPoints& points, const ShapeSegments& found,

@@ -34,10 +34,6 @@ struct StoredCell {
 };
 static_assert(sizeof(StoredCell) % alignof(CellPlane) == 0);
 
-std::filesystem::path cell_path(const Store& store, const Cell& cell) {
-  return store.folder() / "cells" / (cell.node.name() + ".cell");
-}
-
 struct Normals {
   std::vector<float> x, y, z;
 };
@@ -252,6 +248,10 @@ void write_segments(const Store& store, const std::vector<Cell>& cells, const Ce
 }
 
 }  // namespace
+
+std::filesystem::path cell_path(const Store& store, const Cell& cell) {
+  return store.folder() / "cells" / (cell.node.name() + ".cell");
+}
 
 CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const Settings& settings,
                        const PassContext& context, const ColourPalette& palette) {

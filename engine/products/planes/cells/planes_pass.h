@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <filesystem>
 #include <vector>
 
 #include "engine/pass/context.h"
@@ -34,6 +35,10 @@ struct CellPlanes {
 // column "colour") is used by colour_ransac.
 CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const Settings& settings,
                        const PassContext& context, const ColourPalette& palette = {});
+
+// The file in which planes_pass keeps what it found in a cell; cells that have it are not searched again. Beside it is
+// shapes_path() of cells in which curved shapes were found.
+std::filesystem::path cell_path(const Store& store, const Cell& cell);
 
 // Removes what planes_pass has stored of the planes of a cell, so that they are searched for again.
 void forget_cell(const Store& store, const Cell& cell);

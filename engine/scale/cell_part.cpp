@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/scale/cell_part.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/columns/normals_pass.h"
+#include "engine/pass/pass.h"
+#include "engine/products/planes/cells/planes_pass.h"
+#include "engine/scale/cell_records.h"
+
+namespace ilot {
+
+std::int64_t halo_of_cells(const Settings& settings, double unit_metres) {
+  const Cell largest{{{}, kTileBits - static_cast<int>(std::log2(largest_cell(unit_metres))), 0}, 0, {}};
+  return margin_of(largest) + static_cast<std::int64_t>(std::ceil(settings.normals.max_radius / unit_metres)) + 2;
+}
+
+std::uint64_t write_cells(const Store& store, const RunInputs& inputs, const Plan& plan, const PlanArea& area,
+                          const PassContext& context, Progress& progress, RecordFileWriter& part) {
+  if (store.points() == 0) return 0;
+  progress.begin_stage("normals", store.points());
+  normals_pass(store, plan.settings.normals, context);
+  std::vector<Cell> cells = canonical_cells(store, context.metres_per_unit);
+  std::erase_if(cells, [&](const Cell& cell) { return !area.own.contains(cell.node.min_corner()); });
+  std::uint64_t points = 0;
+  for (const Cell& cell : cells) points += cell.points;
+  progress.begin_stage("planes", points);
+  const bool coloured = plan.settings.planes.colour_classes > 0 && colours_pass(store, inputs.readers, context);
+  planes_pass(store, cells, plan.settings, context);
+  progress.end_stage();
+  for (const Cell& cell : cells) {
+    stop_if_asked();
+    part.add(record_of(read_cell(store, cell, area.inputs, coloured)));
+  }
+  return cells.size();
+}
+
+}  // namespace ilot

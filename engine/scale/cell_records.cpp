@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/scale/cell_records.h"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+
+#include "engine/error.h"
+#include "engine/products/planes/cells/cell_shapes.h"
+#include "engine/products/planes/cells/planes_pass.h"
+
+namespace ilot {
+namespace {
+
+using nlohmann::json;
+
+template <class T>
+json bytes_json(const std::vector<T>& values) {
+  std::vector<std::uint8_t> bytes(values.size() * sizeof(T));
+  if (!bytes.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
+  return json::binary(std::move(bytes));
+}
+
+template <class T>
+std::vector<T> values_of(const json& record, const char* name) {
+  const auto& bytes = record.at(name).get_binary();
+  if (bytes.size() % sizeof(T) != 0) throw Error(std::string(name) + " of a cell is not whole");
+  std::vector<T> values(bytes.size() / sizeof(T));
+  if (!values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
+  return values;
+}
+
+template <class T>
+std::vector<T> read_column_of(const Store& store, const Cell& cell, const Column<T>& column) {
+  std::vector<T> values;
+  for (const CellSlice& s : cell.slices) {
+    const std::vector<T> part = store.read(s.block, column, s.first, s.count);
+    values.insert(values.end(), part.begin(), part.end());
+  }
+  return values;
+}
+
+std::vector<std::byte> content_of(const std::filesystem::path& path) {
+  return std::filesystem::exists(path) ? read_column<std::byte>(path) : std::vector<std::byte>{};
+}
+
+}  // namespace
+
+CellRecord read_cell(const Store& store, const Cell& cell, std::span<const std::uint32_t> inputs, bool coloured) {
+  CellRecord r{cell.node,
+               read_column_of(store, cell, columns::kCodes),
+               read_column_of(store, cell, columns::kOrder),
+               read_column_of(store, cell, columns::kNormals),
+               {},
+               content_of(cell_path(store, cell)),
+               content_of(shapes_path(store, cell))};
+  if (coloured) r.colours = read_column_of(store, cell, columns::kColour);
+  for (InputOrder& order : r.order) order = input_order(inputs[file_of(order)], row_of(order));
+  return r;
+}
+
+json record_of(const CellRecord& cell) {
+  const Tile tile = cell.node.tile;
+  return {{"cell", {tile.x, tile.y, tile.z, cell.node.level, cell.node.first_code}},
+          {"codes", bytes_json(cell.codes)},
+          {"order", bytes_json(cell.order)},
+          {"normals", bytes_json(cell.normals)},
+          {"colours", bytes_json(cell.colours)},
+          {"planes", bytes_json(cell.planes)},
+          {"shapes", bytes_json(cell.shapes)}};
+}
+
+CellRecord cell_record(const json& record) {
+  const json& place = record.at("cell");
+  CellRecord r{{{place.at(0).get<std::int32_t>(), place.at(1).get<std::int32_t>(), place.at(2).get<std::int32_t>()},
+                place.at(3).get<std::int32_t>(),
+                place.at(4).get<std::uint64_t>()},
+               values_of<std::uint64_t>(record, "codes"),
+               values_of<InputOrder>(record, "order"),
+               values_of<PackedNormal>(record, "normals"),
+               values_of<StoredColour>(record, "colours"),
+               values_of<std::byte>(record, "planes"),
+               values_of<std::byte>(record, "shapes")};
+  const std::size_t points = r.codes.size();
+  const bool whole = points > 0 && r.order.size() == points && r.normals.size() == points && !r.planes.empty() &&
+                     (r.colours.empty() || r.colours.size() == points);
+  const bool inside = whole && r.node.level >= 0 && r.node.level <= kTileBits && std::ranges::is_sorted(r.codes) &&
+                      r.codes.front() >= r.node.first_code && r.codes.back() <= r.node.last_code();
+  if (!inside) throw Error("the fields of a cell do not belong together");
+  return r;
+}
+
+}  // namespace ilot

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The cells of a task of planes as records: the points of a cell, and everything that was found in it.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <vector>
+
+#include "engine/columns/colours_pass.h"
+#include "engine/products/planes/cells/cells.h"
+#include "kernels/neighbours/normals.h"
+
+namespace ilot {
+
+// One value of each list for each point, in global order.
+struct CellRecord {
+  Node node;
+  std::vector<std::uint64_t> codes;
+  std::vector<InputOrder> order;  // with the numbers of all inputs of the plan
+  std::vector<PackedNormal> normals;
+  std::vector<StoredColour> colours;  // empty where no input of the area has colours
+  std::vector<std::byte> planes;      // the content of cell_path()
+  std::vector<std::byte> shapes;      // the content of shapes_path(); empty where there is none
+};
+
+// Reads a cell from a store in which planes_pass has worked. `inputs` has the number in the plan of each input of the
+// store.
+CellRecord read_cell(const Store& store, const Cell& cell, std::span<const std::uint32_t> inputs, bool coloured);
+
+nlohmann::json record_of(const CellRecord& cell);
+
+// Throws nlohmann::json::exception where a field is missing, and Error where the lists do not belong together.
+CellRecord cell_record(const nlohmann::json& record);
+
+}  // namespace ilot

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/scale/cell_store.h"
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/error.h"
+#include "engine/pass/index.h"
+#include "engine/pass/pass.h"
+#include "engine/products/planes/cells/cell_shapes.h"
+#include "engine/products/planes/cells/planes_pass.h"
+#include "engine/scale/cell_records.h"
+#include "engine/scale/part_file.h"
+#include "engine/scale/records.h"
+
+namespace ilot {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Derived: a cell of kCellPoints points takes 7 MB as a record, and is there up to six times while it is unpacked.
+constexpr std::uint64_t kBytesToUnpack = std::uint64_t{48} << 20;
+
+constexpr const char* kNormalsOfCell = ".normals";
+constexpr const char* kColoursOfCell = ".colours";
+
+fs::path carried(const Store& store, const Node& node, const char* suffix) {
+  return store.folder() / "carried" / (node.name() + suffix);
+}
+
+// The points of the cell go to the run, all else to files of its own.
+void unpack_cell(const CellRecord& r, const Store& store, SortedRunWriter& run, std::atomic<bool>& coloured) {
+  std::vector<KeyValue> points(r.codes.size());
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = {r.codes[i], run_value(r.order[i], 0, 0)};
+  run.add(r.node.tile, points);
+  const Cell cell{r.node, 0, {}};
+  write_column<PackedNormal>(carried(store, r.node, kNormalsOfCell), r.normals);
+  if (!r.colours.empty()) {
+    write_column<StoredColour>(carried(store, r.node, kColoursOfCell), r.colours);
+    coloured = true;
+  }
+  if (!r.shapes.empty()) write_column<std::byte>(shapes_path(store, cell), r.shapes);
+  write_column<std::byte>(cell_path(store, cell), r.planes);
+}
+
+SortedRun unpack_part(const fs::path& part, const Store& store, const fs::path& stem, std::atomic<bool>& coloured) {
+  SortedRunWriter run(stem);
+  RecordFileReader file(part);
+  std::optional<Node> last;
+  try {
+    while (const auto record = file.next()) {
+      stop_if_asked();
+      if (is_summary(*record)) continue;
+      const CellRecord cell = cell_record(*record);
+      if (last && !(before(*last, cell.node) && !last->contains(cell.node)))
+        throw Error(part.string() + ": its cells are not in order");
+      last = cell.node;
+      unpack_cell(cell, store, run, coloured);
+    }
+  } catch (const nlohmann::json::exception&) {
+    throw Error(part.string() + ": is damaged; remove it and run its task again");
+  }
+  return run.finish();
+}
+
+// Writes a column of all blocks from the files of the cells; `none` where a cell has no file.
+template <class T>
+void spread(const Store& store, const std::vector<Cell>& cells, const Column<T>& column, const char* suffix, T none,
+            const PassContext& context) {
+  const auto pieces = pieces_of_blocks(store, cells);
+  std::vector<PassTask> tasks;
+  for (const Block& b : store.blocks()) tasks.push_back({b.points * sizeof(T), b.points});
+  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
+    const auto block = static_cast<std::uint32_t>(i);
+    std::vector<T> values(store.blocks()[block].points, none);
+    for (const CellPiece& p : pieces[block]) {
+      const fs::path path = carried(store, cells[p.cell].node, suffix);
+      if (!fs::exists(path)) continue;
+      ColumnReader<T>(path).read(p.offset, std::span(values).subspan(p.slice.first, p.slice.count));
+    }
+    store.write(block, column, values);
+  });
+}
+
+}  // namespace
+
+Store store_of_parts(std::span<const fs::path> parts, const Plan& plan, std::uint64_t block_points,
+                     const fs::path& folder, const PassContext& context) {
+  for (const char* name : {"runs", "blocks", "cells", "carried"}) fs::create_directories(folder / name);
+  const Store empty(folder, plan.lattice.unit, {});
+  std::vector<SortedRun> runs(parts.size());
+  std::atomic<bool> coloured = false;
+  run_pass(std::vector<PassTask>(parts.size(), {kBytesToUnpack, 1}), context.budget_bytes, [&](std::size_t i) {
+    runs[i] = unpack_part(parts[i], empty, folder / "runs" / std::to_string(i), coloured);
+  });
+  IndexParams params;
+  params.block_points = block_points;
+  Store store(folder, plan.lattice.unit, build_blocks(runs, params, {}, folder, context));
+  fs::remove_all(folder / "runs");
+  const std::vector<Cell> cells = canonical_cells(store, context.metres_per_unit);
+  for (const Cell& cell : cells) {
+    const fs::path normals = carried(store, cell.node, kNormalsOfCell);
+    if (!fs::exists(normals) || ColumnReader<PackedNormal>(normals).size() != cell.points)
+      throw Error("the parts do not have the cells of one run; remove them and run the tasks again");
+  }
+  spread(store, cells, columns::kNormals, kNormalsOfCell, PackedNormal{}, context);
+  if (coloured) spread(store, cells, columns::kColour, kColoursOfCell, kNoColour, context);
+  fs::remove_all(folder / "carried");
+  return store;
+}
+
+}  // namespace ilot

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+#include "engine/pass/context.h"
+#include "engine/scale/plan.h"
+#include "engine/store/store.h"
+
+namespace ilot {
+
+// Makes the store that a run would have after the search for planes in cells, from the cells of all parts: points,
+// normals, colours where an input has them, and the files of the cells. Only the borders of its blocks differ, on which
+// no result depends. No input is read. Throws Error for a part that is damaged.
+Store store_of_parts(std::span<const std::filesystem::path> parts, const Plan& plan, std::uint64_t block_points,
+                     const std::filesystem::path& folder, const PassContext& context);
+
+}  // namespace ilot

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/scale/label_store.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "engine/error.h"
+#include "engine/labels/row_labels.h"
+#include "engine/products/planes/plane_labels.h"
+#include "engine/whole_file.h"
+
+namespace ilot {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kHead = "labels.json";  // written last
+constexpr const char* kBlocks = "blocks.list";
+constexpr const char* kPlanes = "planes.list";
+
+bool is_needed(const fs::path& file) {
+  const std::string column = file.extension().string();
+  return column == std::string(".") + columns::kRowOrder.info.name ||
+         column == std::string(".") + columns::kPlaneRows.info.name;
+}
+
+void remove_what_no_label_needs(const fs::path& folder) {
+  std::vector<fs::path> needless;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().filename() != "blocks") needless.push_back(entry.path());
+  for (const auto& entry : fs::directory_iterator(folder / "blocks"))
+    if (!is_needed(entry.path())) needless.push_back(entry.path());
+  for (const fs::path& path : needless) fs::remove_all(path);
+}
+
+}  // namespace
+
+void keep_labels(const Store& store, std::span<const ProductLabels> labels, const LabelledPlanes& planes,
+                 const Plan& plan, const fs::path& plan_folder, const PassContext& context) {
+  rows_pass(store, labels, context);
+  const fs::path folder = store.folder(), kept = plan_folder / kLabelsFolder;
+  remove_what_no_label_needs(folder);
+  write_column<Block>(folder / kBlocks, store.blocks());
+  write_column<JoinedPlane>(folder / kPlanes, planes.planes);
+  const nlohmann::json head{{"plan", plan.hash}, {"shapes", planes.shapes}};
+  write_whole_file(folder / kHead, head.dump() + "\n");
+  fs::remove_all(kept);
+  fs::rename(folder, kept);
+}
+
+KeptLabels open_labels(const Plan& plan, const fs::path& plan_folder, const IndexBox& box) {
+  const fs::path folder = plan_folder / kLabelsFolder;
+  std::ifstream file(folder / kHead);
+  const nlohmann::json head = nlohmann::json::parse(file, nullptr, false);
+  if (!file || !head.is_object() || head.value("plan", "") != plan.hash)
+    throw Error(folder.string() + ": no merge of this plan has left labels there; run ilot merge with --labels first",
+                ExitCode::usage);
+  std::vector<Block> blocks = read_column<Block>(folder / kBlocks);
+  std::erase_if(blocks, [&](const Block& b) { return box.is_empty() || !b.box.intersects(box); });
+  PlaneLabelParams params;
+  params.planes = read_column<JoinedPlane>(folder / kPlanes);
+  params.write_normals = plan.settings.normals.write;
+  if (head.value("shapes", false)) params.final_shape = {0};  // the field is there; rows have the ids already
+  std::vector<ProductLabels> labels;
+  labels.push_back(plane_labels(std::move(params)));
+  return {Store(folder, plan.lattice.unit, std::move(blocks)), std::move(labels)};
+}
+
+}  // namespace ilot

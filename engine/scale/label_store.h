@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The labels of all points of a merge, kept for the tasks that write labelled clouds: PLAN/labels.
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "engine/pass/context.h"
+#include "engine/products/planes/join/join_pass.h"
+#include "engine/products/product_labels.h"
+#include "engine/scale/plan.h"
+#include "engine/store/store.h"
+
+namespace ilot {
+
+constexpr const char* kLabelsFolder = "labels";
+
+// What labels of points refer to.
+struct LabelledPlanes {
+  std::vector<JoinedPlane> planes;  // by id - 1
+  bool shapes = false;              // clouds have the field shape_id
+};
+
+// Sorts the labels of a store by input row, and turns its folder into PLAN/labels: what no label needs is removed.
+// Labels of an earlier merge are replaced.
+void keep_labels(const Store& store, std::span<const ProductLabels> labels, const LabelledPlanes& planes,
+                 const Plan& plan, const std::filesystem::path& plan_folder, const PassContext& context);
+
+// The labels of PLAN/labels near a box. Throws Error with ExitCode::usage where a merge has left none of this plan.
+struct KeptLabels {
+  Store store;
+  std::vector<ProductLabels> labels;
+};
+KeptLabels open_labels(const Plan& plan, const std::filesystem::path& plan_folder, const IndexBox& box);
+
+}  // namespace ilot

@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Planes and labelled clouds of a district in tiles, by two workers that are killed at random, in areas of two sizes: the
+bytes of one run. Prints the processor seconds of each step. ILOT_EXE is the program; ILOT_POINTS and ILOT_SEED choose the
+district."""
+import json
+import os
+import pathlib
+import random
+import resource
+import subprocess
+import sys
+import tempfile
+import threading
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "run"))
+from support import EXE, Las  # noqa: E402
+
+POINTS, SEED = int(os.environ.get("ILOT_POINTS", "2000000")), int(os.environ.get("ILOT_SEED", "3"))
+TILE = 150_000  # raw units of the scan: millimetres
+KILLS = 3
+
+
+def ilot(*command, code=(0,)):
+    done = subprocess.run([EXE, *map(str, command)], capture_output=True, text=True)
+    if done.returncode not in code:
+        sys.exit(f"{' '.join(map(str, command))}: exit {done.returncode}\n{done.stderr}")
+
+
+def seconds(work):
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    work()
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def tiles_of(folder):
+    """The district as LAZ tiles."""
+    ilot("scan", "district", "-o", folder / "district.las", "--points", POINTS, "--seed", SEED, "-q")
+    las, tiles = Las.read(folder / "district.las"), {}
+    for record, (x, y, _) in zip(las.records(), las.raw()):
+        tiles.setdefault((x // TILE, y // TILE), []).append(record)
+    (folder / "tiles").mkdir()
+    for n, place in enumerate(sorted(tiles)):
+        las.write(folder / "tile.las", tiles[place])
+        ilot("convert", folder / "tile.las", folder / f"tiles/{n:03}.laz")
+    return folder / "tiles"
+
+
+def run_all(tasks, rng):
+    """Two workers at a time take the tasks in random order; some processes are killed, and their tasks done again."""
+    tasks, lock, killed = list(tasks), threading.Lock(), [0]
+    rng.shuffle(tasks)
+
+    def worker():
+        while True:
+            with lock:
+                if not tasks:
+                    return
+                task = tasks.pop()
+                kill = killed[0] < KILLS and rng.random() < 0.3
+                killed[0] += kill
+            process = subprocess.Popen([EXE, *map(str, task), "--threads", "1", "-q"])
+            if kill:
+                try:
+                    process.wait(rng.uniform(0.02, 0.5))
+                except subprocess.TimeoutExpired:
+                    process.kill()
+            code = process.wait()
+            if kill and code != 0:
+                with lock:
+                    tasks.append(task)
+            elif code != 0:
+                os._exit(print(f"{task}: exit {code}", flush=True) or 1)
+
+    workers = [threading.Thread(target=worker) for _ in range(2)]
+    for thread in workers:
+        thread.start()
+    for thread in workers:
+        thread.join()
+
+
+def compare(folder, tiles, one, size, rng):
+    plan, out = folder / f"plan-{size}", folder / f"out-{size}"
+    spent = {"plan": seconds(lambda: ilot("plan", tiles, "-o", plan, "--products", "planes", "--area-size", size, "--threads", 1))}
+    areas = [area["area"] for area in json.loads((plan / "plan.json").read_text())["areas"]]
+    spent["tasks"] = seconds(lambda: run_all([("task", plan, n) for n in areas], rng))
+    spent["merge"] = seconds(lambda: ilot("merge", plan, "-o", out, "--labels", "--no-report", "--threads", 1))
+    spent["clouds"] = seconds(lambda: run_all([("task", plan, "label", n + 1, "-o", out) for n in range(len(list(tiles.iterdir())))],
+                                              rng))
+    merged = json.loads((out / "run.json").read_text())
+    parts = sum(part.stat().st_size for part in (plan / "parts").iterdir() if not part.name.startswith("."))
+    print(f"{len(areas)} areas of about {size} m: " + ", ".join(f"{name} {value:.1f} s" for name, value in spent.items()) +
+          f"; parts {parts / 1e6:.0f} MB, merge {merged['peak_rss_bytes'] >> 20} MiB", flush=True)
+    for key in ("result_hash", "results", "counts", "inputs"):
+        if merged[key] != one[key]:
+            sys.exit(f"{size} m: {key} differs")
+
+
+def main():
+    with tempfile.TemporaryDirectory(prefix="ilot-planes-") as name:
+        folder, rng = pathlib.Path(name), random.Random(SEED)
+        tiles = tiles_of(folder)
+        spent = seconds(lambda: ilot("run", tiles, "-o", folder / "one", "--products", "planes", "--no-report", "--threads", 1))
+        one = json.loads((folder / "one/run.json").read_text())
+        print(f"{len(list(tiles.iterdir()))} tiles, {POINTS:,} points, {one['counts']['planes']} planes: one run {spent:.1f} s")
+        for size in (300, 100):
+            compare(folder, tiles, one, size, rng)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,186 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Planes of one run and of a plan have the same bytes, for any number of areas and inputs, in any order of the tasks, also
+with colours and curved shapes, after a task that was killed and a part of another plan. Also: what is refused."""
+import json
+import math
+import random
+import shutil
+import struct
+import subprocess
+
+from support import EXE, Las, RunTest, ilot, kill_at_work, main, real, small_las
+
+
+class PlanesTest(RunTest):
+    plans = 0
+
+    def quarters(self, path):
+        """Writes the cloud as four files whose borders are no borders of cells."""
+        las = Las.read(path)
+        rows = list(zip(las.records(), las.raw()))
+        x, y = (sorted(p[axis] for p in las.raw())[las.count // 2] for axis in (0, 1))
+        folder = self.folder / "tiles"
+        folder.mkdir()
+        for n in range(4):
+            part = [r for r, p in rows if (p[0] < x) + 2 * (p[1] < y) == n]
+            las.write(folder / f"{n}.las", part)
+        return folder
+
+    def one_run(self, inputs, *options, clouds=("--no-clouds",)):
+        done = ilot("run", inputs, "-o", self.folder / "one", "--products", "planes", *clouds, *options, timeout=600)
+        self.assertIn(done.returncode, (0, 3), done.stderr)
+        return json.loads((self.folder / "one/run.json").read_text())
+
+    def plan(self, inputs, *options):
+        self.plans += 1
+        plan = self.folder / f"plan-{self.plans}"
+        done = ilot("plan", inputs, "-o", plan, "--products", "planes", *options, timeout=600)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return plan, json.loads((plan / "plan.json").read_text())
+
+    def task(self, plan, number):
+        return ilot("task", plan, number, "--threads", "1", "--memory", "96M", timeout=600)
+
+    def merged(self, plan, *options, code=(0, 3)):
+        out = self.folder / f"out-{plan.name}"
+        done = ilot("merge", plan, "-o", out, "--no-report", *options, timeout=600)
+        self.assertIn(done.returncode, code, done.stderr)
+        self.assertFalse((out / ".store").exists())
+        return json.loads((out / "run.json").read_text())
+
+    def equal(self, one, inputs, size, *options, merge=()):
+        """Returns the number of areas."""
+        plan, what = self.plan(inputs, "--area-size", size, *options)
+        numbers = [area["area"] for area in what["areas"]]
+        random.Random(len(numbers)).shuffle(numbers)
+        for number in numbers:
+            done = self.task(plan, number)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        merged = self.merged(plan, *merge)
+        self.assertEqual(merged["result_hash"], one["result_hash"], f"areas of {size} m")
+        for key in ("results", "exit_code", "rejected", "parameters", "chosen", "counts", "cells"):
+            self.assertEqual(merged.get(key), one.get(key), key)
+        return len(numbers)
+
+
+class PlanOfPlanes(PlanesTest):
+    def test_areas_of_a_district(self):
+        inputs = self.quarters(self.district(200_000))
+        one = self.one_run(inputs)
+        self.assertGreater(one["counts"]["planes"], 100)
+        self.assertEqual(self.equal(one, inputs, 100_000), 1)
+        self.assertGreaterEqual(self.equal(one, inputs, 130, merge=("--memory", "96M", "--threads", "1")), 4)
+        self.assertGreaterEqual(self.equal(one, inputs, 33), 16)
+
+    def test_curved_shapes(self):
+        """A pipe that lies over the borders of cells on level ground: its parts are joined as planes are."""
+        rng, rows = random.Random(7), []
+        for _ in range(40_000):
+            turn, out = rng.uniform(0, 2 * math.pi), rng.gauss(1200, 4)
+            rows.append((rng.randrange(12_000, 54_000), round(16_000 + out * math.cos(turn)), round(5000 + out * math.sin(turn))))
+            rows.append((rng.randrange(0, 66_000), rng.randrange(0, 32_000), round(rng.gauss(0, 4))))
+        inputs, options = small_las(self.folder / "pipe.las", rows), ("--set", "planes.curved=true")
+        one = self.one_run(inputs, *options)
+        self.assertGreater(one["counts"]["shapes"], 0)
+        self.assertGreater(self.equal(one, inputs, 33, *options), 1)
+
+    def test_colours(self):
+        """Classes of colours are those of all points, also where a part has inputs without colours."""
+        las, folder = Las.read(self.district(60_000)), self.folder / "coloured"
+        self.assertEqual((las.data[104], las.length), (6, 35))
+        x = sorted(p[0] for p in las.raw())[las.count // 2]
+        west, east = [], []
+        for record, p in zip(las.records(), las.raw()):
+            if p[0] >= x:
+                east.append(record)
+            else:
+                rgb = struct.pack("<3H", 65000 if p[2] % 3 else 300, p[0] % 60000, p[1] % 50000)
+                west.append(record[:30] + rgb + record[30:])
+        folder.mkdir()
+        las.write(folder / "east.las", east)
+        head = bytearray(las.data)
+        struct.pack_into("<BH", head, 104, 7, 41)
+        Las(bytes(head)).write(folder / "west.las", west)
+        one = self.one_run(folder)
+        with open(self.folder / "one/planes.csv") as file:
+            self.assertIn("colour", file.readline())
+        self.assertIn("planes.colour_classes", [c["key"] for c in one["chosen"]])
+        self.assertGreater(self.equal(one, folder, 60), 1)
+
+    def label(self, plan, number, out):
+        return ilot("task", plan, "label", number, "-o", out, "--threads", "1", timeout=600)
+
+    def test_labelled_clouds(self):
+        """One task for each input, after the merge; the last one makes the result whole."""
+        inputs, options = self.quarters(self.district(100_000)), ("--set", "normals.write=true")
+        one = self.one_run(inputs, *options, clouds=())
+        plan, what = self.plan(inputs, "--area-size", 100, *options)
+        self.assertEqual(ilot("task", plan, "label", 1).returncode, 2, "no -o")
+        for area in what["areas"]:
+            self.assertEqual(self.task(plan, area["area"]).returncode, 0)
+        early = self.merged(plan)
+        out = self.folder / f"out-{plan.name}"
+        self.assertIn("run ilot merge with --labels first", self.label(plan, 1, out).stderr)
+        shutil.rmtree(out)
+        self.assertEqual(self.merged(plan, "--labels")["result_hash"], early["result_hash"])
+        kill_at_work(["task", plan, "label", 2, "-o", out, "--threads", "1", "-q"], out, ".label-2-")
+        self.assertEqual(self.label(plan, 5, out).returncode, 2)
+        twins = [subprocess.Popen([EXE, "task", plan, "label", str(n), "-o", out, "--threads", "1", "-q"])
+                 for n in (4, 2, 4, 1, 3, 2)]
+        self.assertEqual([twin.wait() for twin in twins], [0] * 6)
+        self.assertIn("is done, nothing is left to do", self.label(plan, 3, out).stderr)
+        record = json.loads((out / "run.json").read_text())
+        self.assertEqual([p.name for p in out.iterdir() if p.name.startswith(".")], [])
+        for key in ("result_hash", "results", "inputs", "counts"):
+            self.assertEqual(record[key], one[key], key)
+
+    def test_tasks_that_fail(self):
+        inputs = self.quarters(self.district(200_000))
+        plan, what = self.plan(inputs, "--area-size", 130)
+        other, _ = self.plan(inputs, "--area-size", 130, "--set", "planes.join_angle=7")
+        last = what["areas"][-1]["area"]
+        kill_at_work(["task", plan, 1, "--threads", "1", "-q"], plan / "parts", ".1-")
+        twins = [subprocess.Popen([EXE, "task", plan, "1", "--threads", "1", "-q"]) for _ in range(2)]
+        self.assertEqual([twin.wait() for twin in twins], [0, 0])
+        first = (plan / "parts/1").read_bytes()
+        self.assertIn("is done, nothing is left to do", self.task(plan, 1).stderr)
+        self.assertEqual(self.task(other, 1).returncode, 0)
+        shutil.copy(other / "parts/1", plan / "parts/1")
+        for area in what["areas"][1:-1]:
+            self.assertEqual(self.task(plan, area["area"]).returncode, 0)
+        missing = ilot("merge", plan, "-o", self.folder / "out", "--allow-missing")
+        self.assertEqual(missing.returncode, 2, missing.stderr)
+        self.assertIn("parts of another plan: 1;", missing.stderr)
+        self.assertIn("belongs to another plan", self.task(plan, 1).stderr)
+        self.assertEqual((plan / "parts/1").read_bytes(), first)
+        self.assertIn(f"has no part: {last};", ilot("merge", plan, "-o", self.folder / "out").stderr)
+        record = self.merged(plan, "--allow-missing", code=(3,))
+        self.assertIn(str(last), [s["where"] for s in record["skipped"] if s["what"] == "area"])
+        self.assertGreater(record["counts"]["planes"], 10)
+        (plan / "parts/1").write_bytes(first[:100_000] + b"x" + first[100_001:])
+        damaged = ilot("merge", plan, "-o", self.folder / "damaged", "--allow-missing")
+        self.assertEqual(damaged.returncode, 1, damaged.stderr)
+        self.assertFalse((self.folder / "damaged/run.json").exists())
+
+    def test_what_is_refused(self):
+        inputs = self.district(20_000)
+        for options, why in ((("--products", "planes,roofs"), "makes one product"),
+                             (("--set", "planes.method=colour_ransac"), "colour_ransac"),
+                             (("--set", "boundaries.step=stations"), "knows no stations"),
+                             (("--footprints", inputs), "only the product roofs reads it")):
+            done = ilot("plan", inputs, "-o", self.folder / "p", "--products", "planes", *options)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(why, done.stderr)
+            self.assertFalse((self.folder / "p").exists())
+
+
+class RealPlanOfPlanes(PlanesTest):
+    def test_delft_and_ign(self):
+        for name, size in (("delft/ahn3_cropped_1.laz", 100), ("ign/870000_6618000.las", 70)):
+            shutil.rmtree(self.folder / "one", ignore_errors=True)
+            self.assertGreater(self.equal(self.one_run(real(name)), real(name), size), 3)
+
+
+if __name__ == "__main__":
+    main(synthetic=[PlanOfPlanes], real=[RealPlanOfPlanes])
