@@ -14,11 +14,11 @@ from ._ilot import Error
 from ._ilot import version as __version__
 from .clouds import Cloud, info, read_cloud, write_cloud
 from .points import (alpha_shape, delaunay, estimate_normals, euclidean_clusters, find_planes, nearest_neighbours)
-from .results import (Building, Element, Facade, PlaneSegment, StreetObject, Surface, read_facades, read_labels, read_planes,
-                      read_roofs, read_streets)
+from .results import (Building, Element, Facade, FacadePart, PlaneSegment, StreetKerb, StreetObject, Streets, StreetTree, Surface,
+                      read_facades, read_labels, read_planes, read_roofs, read_streets)
 from .runs import RunResult, facades, parameters, planes, read_run, roofs, run, streets
 
-__all__ = ["Building", "Cloud", "Element", "Error", "Facade", "PlaneSegment", "RunResult", "StreetObject", "Surface", "__version__",
-           "alpha_shape", "delaunay", "estimate_normals", "euclidean_clusters", "facades", "find_planes", "info",
+__all__ = ["Building", "Cloud", "Element", "Error", "Facade", "FacadePart", "PlaneSegment", "RunResult", "StreetKerb",
+           "StreetObject", "StreetTree", "Streets", "Surface", "__version__", "alpha_shape", "delaunay", "estimate_normals", "euclidean_clusters", "facades", "find_planes", "info",
            "nearest_neighbours", "parameters", "planes", "read_cloud", "read_facades", "read_labels", "read_planes", "read_roofs", "read_run",
            "read_streets", "roofs", "run", "streets", "write_cloud"]

@@ -136,6 +136,70 @@ class StreetObject:
         return _feature({"type": "Polygon", "coordinates": [_closed(corners)]}, properties)
 
 
+@dataclasses.dataclass(frozen=True)
+class StreetTree:
+    """A tree of at least three metres."""
+    id: int
+    position: Place  # of the trunk's axis at the ground; of the middle of the crown where no trunk was seen
+    trunk_seen: bool  # something narrow stands below the crown and reaches up to it
+    height_m: float  # of the highest point above the ground at the position
+    crown_radius_m: float  # of the circle with the area of the crown in plan
+    crown_base_m: float  # above the ground; a tenth of the crown in plan reaches lower
+    trunk_radius_m: float  # at 0.3 to 3.3 m above the ground; 0 = no trunk was seen
+    unseen_share: float  # of the crown's sides: parts of 45 degrees and half a metre without a point
+    points: int  # of the crown
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        """Its place in plan."""
+        properties = {f.name: getattr(self, f.name) for f in dataclasses.fields(self) if f.name != "position"}
+        return _feature({"type": "Point", "coordinates": self.position[:2]}, properties)
+
+
+@dataclasses.dataclass(frozen=True)
+class StreetKerb:
+    """A step of the ground between road and pavement, or a part of it that was not seen."""
+    id: int
+    seen: bool  # False: the straight line between the ends of two seen kerbs
+    line: Floats  # array of shape (vertices, 3), on the upper edge
+    heights_m: Floats  # array: of the step at each vertex
+    height_m: float  # their median
+    length_m: float  # in plan
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        """Its line in plan."""
+        properties = {f.name: getattr(self, f.name) for f in dataclasses.fields(self) if f.name not in ("line", "heights_m")}
+        return _feature({"type": "LineString", "coordinates": [(float(p[0]), float(p[1])) for p in self.line]}, properties)
+
+
+@dataclasses.dataclass(frozen=True)
+class FacadePart:
+    """A part of a line of facades: a block, or the gap between two."""
+    stretch: int
+    number: int  # along the stretch
+    start: Place
+    end: Place
+    length_m: float
+    height_m: float
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        """Its line in plan."""
+        properties = {f.name: getattr(self, f.name) for f in dataclasses.fields(self) if f.name not in ("start", "end")}
+        return _feature({"type": "LineString", "coordinates": [self.start[:2], self.end[:2]]}, properties)
+
+
+@dataclasses.dataclass(frozen=True)
+class Streets:
+    """What was found on streets. Objects, trees and kerbs are by id from 1, blocks and gaps along their stretch."""
+    objects: list[StreetObject]
+    trees: list[StreetTree]
+    kerbs: list[StreetKerb]
+    blocks: list[FacadePart]
+    gaps: list[FacadePart]
+
+
 def read_labels(folder: Path) -> dict[str, NDArray[np.void]]:
     """Returns the labels of the points of each Cloud that was an input, by its name: structured arrays of one record a point, in the
     order of the points, mapped from the files (nothing is read before it is used). Fields are those that docs/outputs.md lists
@@ -167,6 +231,9 @@ def read_facades(folder: Path) -> list[Facade]:
     return [Facade(**one) for one in facades]
 
 
-def read_streets(folder: Path) -> list[StreetObject]:
-    """Returns a list of StreetObject, by id from 1."""
-    return [StreetObject(**one) for one in _ilot.read_streets(folder)]
+def read_streets(folder: Path) -> Streets:
+    """Returns Streets: objects, trees, kerbs, and the blocks and gaps of lines of facades. Each list makes a table of GeoPandas."""
+    found = _ilot.read_streets(folder)
+    return Streets([StreetObject(**one) for one in found["objects"]], [StreetTree(**one) for one in found["trees"]],
+                   [StreetKerb(**one) for one in found["kerbs"]], [FacadePart(**one) for one in found["blocks"]],
+                   [FacadePart(**one) for one in found["gaps"]])

@@ -133,28 +133,77 @@ py::list facades_python(const std::filesystem::path& folder) {
   return out;
 }
 
-py::list streets_python(const std::filesystem::path& folder) {
+py::dict object_of(const StreetObject& o) {
+  py::dict one;
+  one["id"] = o.id;
+  one["label"] = label_name(o.label);
+  one["probability"] = o.probability;
+  one["base"] = tuple_of(o.base);
+  one["middle"] = tuple_of(o.middle);
+  one["height_m"] = o.height_m;
+  one["length_m"] = o.length_m;
+  one["width_m"] = o.width_m;
+  one["heading_deg"] = o.heading_deg;
+  one["area_m2"] = o.area_m2;
+  one["points"] = o.points;
+  return one;
+}
+
+py::dict tree_of(const StreetTree& t) {
+  py::dict one;
+  one["id"] = t.id;
+  one["position"] = tuple_of(t.position);
+  one["trunk_seen"] = t.trunk_seen;
+  one["height_m"] = t.height_m;
+  one["crown_radius_m"] = t.crown_radius_m;
+  one["crown_base_m"] = t.crown_base_m;
+  one["trunk_radius_m"] = t.trunk_radius_m;
+  one["unseen_share"] = t.unseen_share;
+  one["points"] = t.points;
+  return one;
+}
+
+py::dict kerb_of(const StreetKerb& k) {
+  py::dict one;
+  one["id"] = k.id;
+  one["seen"] = k.seen;
+  one["line"] = array_of(k.line);
+  one["heights_m"] = array_from(std::vector<double>(k.heights_m));
+  one["height_m"] = k.height_m;
+  one["length_m"] = k.length_m;
+  return one;
+}
+
+py::dict part_of(const FacadePart& p) {
+  py::dict one;
+  one["stretch"] = p.stretch;
+  one["number"] = p.number;
+  one["start"] = tuple_of(p.from);  // `from` is a word of Python
+  one["end"] = tuple_of(p.to);
+  one["length_m"] = p.length_m;
+  one["height_m"] = p.height_m;
+  return one;
+}
+
+template <typename Thing, typename ToDict>
+py::list list_of(const std::vector<Thing>& things, const ToDict& to_dict) {
+  py::list out;
+  for (const Thing& thing : things) out.append(to_dict(thing));
+  return out;
+}
+
+py::dict streets_python(const std::filesystem::path& folder) {
   StreetPlan plan;
   {
     const py::gil_scoped_release released;
     plan = read_streets(folder);
   }
-  py::list out;
-  for (const StreetObject& o : plan.objects) {
-    py::dict one;
-    one["id"] = o.id;
-    one["label"] = label_name(o.label);
-    one["probability"] = o.probability;
-    one["base"] = tuple_of(o.base);
-    one["middle"] = tuple_of(o.middle);
-    one["height_m"] = o.height_m;
-    one["length_m"] = o.length_m;
-    one["width_m"] = o.width_m;
-    one["heading_deg"] = o.heading_deg;
-    one["area_m2"] = o.area_m2;
-    one["points"] = o.points;
-    out.append(one);
-  }
+  py::dict out;
+  out["objects"] = list_of(plan.objects, object_of);
+  out["trees"] = list_of(plan.trees, tree_of);
+  out["kerbs"] = list_of(plan.kerbs, kerb_of);
+  out["blocks"] = list_of(plan.blocks, part_of);
+  out["gaps"] = list_of(plan.gaps, part_of);
   return out;
 }
 

@@ -180,3 +180,92 @@ def property_table(glb, table):
             form = "B" if schema[name]["type"] == "ENUM" else {"FLOAT64": "d", "INT64": "q"}[schema[name]["componentType"]]
             columns[name] = struct.unpack(f"<{n}{form}", data)
     return columns
+
+
+class SubtreeFile:
+    """A file of the availability of implicit tiling, by OGC 22-025r4."""
+    def __init__(self, data, levels):
+        magic, version, length, binary = struct.unpack_from("<4sIQQ", data)
+        assert (magic, version, len(data)) == (b"subt", 1, 24 + length + binary) and length % 8 == binary % 8 == 0
+        self.json = json.loads(data[24:24 + length])
+        assert self.json["buffers"] == [{"byteLength": binary}]
+        self.binary = data[24 + length:]
+        count = (4 ** levels - 1) // 3
+        self.tiles = self.bits(self.json["tileAvailability"], count)
+        self.contents = self.bits(self.json["contentAvailability"][0], count)
+        self.below = self.bits(self.json["childSubtreeAvailability"], 4 ** levels)
+        table = self.json["propertyTables"][self.json["tileMetadata"]]
+        assert table["count"] == sum(self.tiles)
+        boxes, errors = (self.doubles(table["properties"][name]["values"]) for name in ("box", "geometric_error_m"))
+        rows = iter(range(table["count"]))
+        self.metadata = [next(rows) if there else None for there in self.tiles]
+        self.boxes, self.errors = [boxes[i:i + 12] for i in range(0, len(boxes), 12)], errors
+
+    def view(self, number):
+        view = self.json["bufferViews"][number]
+        assert view["byteOffset"] % 8 == 0
+        return self.binary[view["byteOffset"]:view["byteOffset"] + view["byteLength"]]
+
+    def bits(self, available, count):
+        if "constant" in available:
+            return [available["constant"] == 1] * count
+        data = self.view(available["bitstream"])
+        assert len(data) == (count + 7) // 8
+        bits = [data[i // 8] >> (i % 8) & 1 == 1 for i in range(count)]
+        assert sum(bits) == available["availableCount"] and not any(data[i // 8] >> (i % 8) & 1 for i in range(count, 8 * len(data)))
+        return bits
+
+    def doubles(self, number):
+        return struct.unpack(f"<{len(self.view(number)) // 8}d", self.view(number))
+
+
+def morton(x, y, bits):
+    return sum((x >> b & 1) << 2 * b | (y >> b & 1) << 2 * b + 1 for b in range(bits))
+
+
+def read_tileset(folder):
+    """Returns tileset.json with its implicit tiles as explicit ones: each has what its metadata says, its `level`, the `square` and
+    the error that follow from the root alone, and the name of the `subtree` that it was in. `subtrees` counts these."""
+    tileset = json.loads((folder / "tileset.json").read_text())
+    root, names = tileset["root"], set()
+    tiling = root["implicitTiling"]
+    assert (tiling["subdivisionScheme"], root["refine"]) == ("QUADTREE", "ADD")
+    semantics = {k: p["semantic"] for k, p in tileset["schema"]["classes"]["tile"]["properties"].items()}
+    assert semantics == {"box": "TILE_BOUNDING_BOX", "geometric_error_m": "TILE_GEOMETRIC_ERROR"}
+    levels, box = tiling["subtreeLevels"], root["boundingVolume"]["box"]
+
+    def named(template, level, x, y):
+        return template.format(level=level, x=x, y=y)
+
+    def subtree(level, x, y):
+        name = named(tiling["subtrees"]["uri"], level, x, y)
+        names.add(name)
+        return SubtreeFile((folder / name).read_bytes(), levels), name
+
+    def tile(file, name, level, x, y):
+        local = level % levels
+        lx, ly = x & (1 << local) - 1, y & (1 << local) - 1
+        index = (4 ** local - 1) // 3 + morton(lx, ly, local)
+        assert file.tiles[index] and level < tiling["availableLevels"]
+        row, share = file.metadata[index], 0.5 ** level
+        low = [box[k] - box[3 + 4 * k] + 2 * box[3 + 4 * k] * share * at for k, at in enumerate((x, y))]
+        made = {"boundingVolume": {"box": list(file.boxes[row])}, "geometricError": file.errors[row], "level": level, "children": [],
+                "subtree": name, "square": [(a, a + 2 * box[3 + 4 * k] * share) for k, a in enumerate(low)],
+                "implicitError": root["geometricError"] * share}
+        if file.contents[index]:
+            made["content"] = {"uri": named(root["content"]["uri"], level, x, y)}
+        for cx, cy in ((2 * x + right, 2 * y + upper) for upper in (0, 1) for right in (0, 1)):
+            if local + 1 < levels:
+                lx, ly = cx & (1 << local + 1) - 1, cy & (1 << local + 1) - 1
+                if file.tiles[(4 ** (local + 1) - 1) // 3 + morton(lx, ly, local + 1)]:
+                    made["children"].append(tile(file, name, level + 1, cx, cy))
+            elif file.below[morton(cx & (1 << levels) - 1, cy & (1 << levels) - 1, levels)]:
+                made["children"].append(tile(*subtree(level + 1, cx, cy), level + 1, cx, cy))
+        if not made["children"]:
+            del made["children"]
+        return made
+
+    made = tile(*subtree(0, 0, 0), 0, 0, 0)
+    tileset["root"] = {**{k: v for k, v in root.items() if k != "content"}, **made}
+    tileset["subtrees"] = names
+    return tileset

@@ -111,7 +111,7 @@ class Exports(unittest.TestCase):
         return [tuple(map(float, line.split())) for line in done.stdout.splitlines()]
 
     def test_tiles(self):
-        tileset = json.loads((self.made / "3dtiles" / "tileset.json").read_text())
+        tileset = readers.read_tileset(self.made / "3dtiles")
         self.assertEqual(tileset["asset"]["version"], "1.1")
         root = tileset["root"]
         shown = {}
@@ -211,6 +211,19 @@ class Exports(unittest.TestCase):
                         self.assertEqual(ring[0], ring[-1])
                         for p, q in zip(ring[:-1], corners, strict=True):
                             self.assertLess(readers.length(readers.minus(p, q)), 1e-4)
+
+    @unittest.skipUnless(npm_has("ogc-schemas") and npm_has("jsonix"), "no node, or no ogc-schemas and jsonix below ILOT_NPM")
+    def test_citygml_by_the_schemas(self):
+        """Every element is where OGC's schemas have it; one that they do not know is refused."""
+        def read(path):
+            return subprocess.run(["node", ROOT / "tests/oracles/citygml_seen.mjs", path], capture_output=True, text=True)
+        seen = read(self.made / "roofs.gml")
+        self.assertEqual(seen.returncode, 0, seen.stderr)
+        for kind in ("BuildingType", "RoofSurfaceType", "WallSurfaceType", "GroundSurfaceType"):
+            self.assertGreater(json.loads(seen.stdout)["CityGML_Building_2_0." + kind], 0)
+        wrong = self.folder / "wrong.gml"
+        wrong.write_text((self.made / "roofs.gml").read_text().replace("bldg:RoofSurface", "bldg:RoofTop", 2))  # of the first building
+        self.assertIn("RoofTop", read(wrong).stderr)
 
     def test_citygml_in_gdal(self):
         copy = self.folder / "copy.gml"  # GDAL writes a file beside it

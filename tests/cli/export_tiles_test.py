@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""3D Tiles of a whole quarter: the buildings of a small street, copied until they fill several tiles, and its objects. ILOT_EXE
-names the program."""
+"""3D Tiles of a town and a hamlet far from it: the buildings of a small street, copied until they fill tiles of several levels and more
+than one subtree, and its objects. ILOT_EXE names the program."""
 import json
 import pathlib
 import sqlite3
@@ -12,7 +12,7 @@ import unittest
 import export_readers as readers
 from export_support import ROOT, must, npm_has
 
-COPIES, APART = 11, 120.0  # rows and columns of copies, metres
+COPIES, APART, HAMLET = 11, 120.0, 20000.0  # rows and columns of copies, metres; the last copy stands alone, far east
 MOST_TRIANGLES = 20000  # of a tile, docs/exports.md
 
 
@@ -23,7 +23,8 @@ def copied_town(path):
     out = [head]
     for row in range(COPIES):
         for column in range(COPIES):
-            dx, dy = round(column * APART / scale[0]), round(row * APART / scale[1])
+            alone = HAMLET if row == column == COPIES - 1 else 0
+            dx, dy = round((column * APART + alone) / scale[0]), round(row * APART / scale[1])
             for line in lines:
                 feature = json.loads(line)
                 name = f"{feature['id']}_{row}_{column}"
@@ -46,7 +47,7 @@ class Quarter(unittest.TestCase):
         cls.buildings = copied_town(cls.out / "roofs" / "roofs.city.jsonl")
         cls.made = folder / "made"
         must("export", cls.out, "--to", "3dtiles", "-o", cls.made)
-        cls.tileset = json.loads((cls.made / "3dtiles" / "tileset.json").read_text())
+        cls.tileset = readers.read_tileset(cls.made / "3dtiles")
         cls.glbs = {p.name: readers.Glb(p.read_bytes()) for p in (cls.made / "3dtiles" / "tiles").iterdir()}
         cls.meshes = {name: list(glb.meshes()) for name, glb in cls.glbs.items()}
 
@@ -86,6 +87,40 @@ class Quarter(unittest.TestCase):
         self.assertGreater(tiles, 5)
         self.assertEqual(len(ids), self.buildings)
         self.assertEqual(len(set(ids)), self.buildings)
+
+    def test_squares_and_subtrees(self):
+        """What follows from the root alone: models stand in the square of their tile by their middle, the halved error is no less than
+        that of the metadata, and each file belongs to one tile. Quarters without a model are not there."""
+        tiles = [tile for tile, _ in self.walk(self.tileset["root"])]
+        self.assertGreater(max(t["level"] for t in tiles), 4)
+        self.assertGreater(len({t["subtree"] for t in tiles}), 1)
+        self.assertTrue(any(0 < len(t.get("children", [])) < 4 for t in tiles))
+        top = self.made / "3dtiles"
+        self.assertEqual(sorted(t["content"]["uri"] for t in tiles if "content" in t), sorted(f"tiles/{p.name}" for p in (top / "tiles").iterdir()))
+        self.assertEqual(self.tileset["subtrees"], {f"subtrees/{p.name}" for p in (top / "subtrees").iterdir()})
+        for tile in tiles:
+            self.assertGreaterEqual(tile["implicitError"], tile["geometricError"])
+            for _, primitives in self.meshes.get(self.name(tile), []):
+                corners = {}
+                for primitive in primitives:
+                    table = primitive["extensions"]["EXT_mesh_features"]["featureIds"][0]["propertyTable"]
+                    for t, numbers in zip(primitive["triangles"], primitive["corners"]):
+                        corners.setdefault((table, primitive["attributes"]["_FEATURE_ID_0"][numbers[0]]), []).extend((x, -z) for x, _, z in t)
+                for places in corners.values():
+                    for axis, (low, high) in enumerate(tile["square"]):
+                        middle = (min(p[axis] for p in places) + max(p[axis] for p in places)) / 2
+                        self.assertTrue(low - 0.01 <= middle <= high + 0.01)
+
+    @unittest.skipUnless(npm_has("3d-tiles-tools"), "no node, or no 3d-tiles-tools below ILOT_NPM")
+    def test_another_reader(self):
+        """Cesium's 3d-tiles-tools finds the same tiles with the same boxes, errors, contents and subtrees."""
+        done = subprocess.run(["node", ROOT / "tests/oracles/tiles_seen.mjs", self.made / "3dtiles"], capture_output=True, text=True, check=True)
+        key = lambda t: (t["error"], t["box"])
+        read = sorted(json.loads(done.stdout), key=key)
+        mine = sorted(({"box": t["boundingVolume"]["box"], "error": t["geometricError"], "contents": [t["content"]["uri"]] if "content" in t else [],
+                        "subtree": t["subtree"] if t["level"] % self.tileset["root"]["implicitTiling"]["subtreeLevels"] == 0 else None}
+                       for t, _ in self.walk(self.tileset["root"])), key=key)
+        self.assertEqual([{k: t[k] for k in mine[0]} for t in read], mine)
 
     def tables(self, glb):
         metadata = glb.json.get("extensions", {}).get("EXT_structural_metadata", {})

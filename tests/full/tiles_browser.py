@@ -14,6 +14,8 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 EXE = os.environ["ILOT_EXE"]
+sys.path.insert(0, str(ROOT / "tests/cli"))
+from export_tiles_test import copied_town
 
 
 def drawn(browser, folder, name):
@@ -46,9 +48,10 @@ def main():
         return 77
     with tempfile.TemporaryDirectory(prefix="ilot-tiles-") as name:
         folder = pathlib.Path(name)
-        subprocess.run([EXE, "scan", "street", "-o", folder / "s.laz", "--points", "600000", "-q", "--set", "scene.blocks=3"], check=True)
+        subprocess.run([EXE, "scan", "street", "-o", folder / "s.laz", "--points", "150000", "-q", "--set", "scene.blocks=2"], check=True)
         if subprocess.run([EXE, "run", folder / "s.laz", "-o", folder / "out", "--products", "roofs,streets", "-q"]).returncode not in (0, 3):
             sys.exit("the run failed")
+        copied_town(folder / "out" / "roofs" / "roofs.city.jsonl")
         run = folder / "out" / "run.json"
         for name in ("earth", "nowhere"):
             if name == "nowhere":
@@ -59,6 +62,8 @@ def main():
             seen, expected = drawn(browser, folder / name, name), triangles_of(folder / name)
             if seen["triangles"] != expected:
                 sys.exit(f"{name}: {seen['triangles']} of {expected} triangles are drawn")
+            if seen["tiles"] != len(list((folder / name / "3dtiles" / "tiles").iterdir())):
+                sys.exit(f"{name}: {seen['tiles']} tiles were loaded")
             if not seen["metadata"]:
                 sys.exit(f"{name}: no ray found metadata")
             print(f"{name}: {seen['tiles']} tiles, {expected} triangles, hit {json.dumps(seen['metadata'])[:200]}")

@@ -4,7 +4,7 @@
 import {Color, DirectionalLight, HemisphereLight, Matrix4, PerspectiveCamera, Raycaster, Scene, Sphere, Vector2, Vector3,
         WebGLRenderer} from 'three';
 import {TilesRenderer} from '3d-tiles-renderer';
-import {GLTFExtensionsPlugin, GLTFMeshFeaturesExtension, GLTFStructuralMetadataExtension} from '3d-tiles-renderer/plugins';
+import {GLTFExtensionsPlugin, GLTFMeshFeaturesExtension, GLTFStructuralMetadataExtension, ImplicitTilingPlugin} from '3d-tiles-renderer/plugins';
 
 const tileset = await (await fetch('/3dtiles/tileset.json')).json();
 const renderer = new WebGLRenderer({antialias: true, preserveDrawingBuffer: true});
@@ -16,6 +16,7 @@ const sun = new DirectionalLight(0xffffff, 2.2);
 scene.add(sun, new HemisphereLight(0xffffff, 0x888888, 1.4));
 const camera = new PerspectiveCamera(40, innerWidth / innerHeight, 1, 1e5);
 const tiles = new TilesRenderer('/3dtiles/tileset.json');
+tiles.registerPlugin(new ImplicitTilingPlugin());
 tiles.registerPlugin(new GLTFExtensionsPlugin({
   plugins: [() => new GLTFMeshFeaturesExtension(), () => new GLTFStructuralMetadataExtension()]}));
 tiles.errorTarget = 1;
@@ -47,8 +48,8 @@ function place_camera() {
 // Metadata of the first hit among rays over the picture.
 function hit_metadata() {
   const caster = new Raycaster();
-  for (let y = -0.5; y <= 0.5; y += 0.05)
-    for (let x = -0.5; x <= 0.5; x += 0.05) {
+  for (let y = -0.9; y <= 0.9; y += 0.02)
+    for (let x = -0.95; x <= 0.95; x += 0.015) {
       caster.setFromCamera(new Vector2(x, y), camera);
       const [hit] = caster.intersectObject(tiles.group, true);
       const {meshFeatures, structuralMetadata} = hit?.object.userData ?? {};

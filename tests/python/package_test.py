@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import signal
+import sqlite3
 import subprocess
 import sys
 import tempfile
@@ -80,7 +81,7 @@ class Package(unittest.TestCase):
     def test_facades_and_streets_are_read_back(self):
         front, street = self.folder / "front.laz", self.folder / "street.laz"
         subprocess.run([EXE, "scan", "facade-restoration", "-o", front, "--points", "60000", "-q"], check=True)
-        subprocess.run([EXE, "scan", "street", "-o", street, "--points", "150000", "-q", "--set", "scene.blocks=2"], check=True)
+        subprocess.run([EXE, "scan", "street", "-o", street, "--points", "500000", "-q", "--set", "scene.blocks=2"], check=True)
         ilot.facades(front, self.folder / "front", stations=front.with_suffix(".stations.csv"), report=False)
         facade = ilot.read_facades(self.folder / "front")[0]
         windows = [e for e in facade.elements if e.kind == "window"]
@@ -88,12 +89,33 @@ class Package(unittest.TestCase):
         self.assertEqual(windows[0].ring.shape[1], 3)
         self.assertEqual(len(windows[0].edge_error_m), len(windows[0].edge_status))
         ilot.streets(street, self.folder / "street", report=False)
-        found = ilot.read_streets(self.folder / "street")
+        plan = ilot.read_streets(self.folder / "street")
+        self.trees_and_kerbs(plan, self.folder / "street" / "streets")
+        found = plan.objects
         self.assertGreater(len(found), 0)
         self.assertTrue({o.label for o in found} <= {"car", "van", "two_wheeler", "pedestrian", "lamppost", "sign", "bollard",
                                                     "bin", "bench", "planter", "fence", "cabinet", "other"})
         corners = np.array(found[0].__geo_interface__["geometry"]["coordinates"][0])
         self.assertAlmostEqual(float(np.hypot(*(corners[1] - corners[0]))), found[0].length_m, 6)
+
+    def trees_and_kerbs(self, plan, folder):
+        """As sqlite3 reads the layers; each list has the geometry that its type says."""
+        def rows(layer, columns):
+            with sqlite3.connect(folder / f"{layer}.gpkg") as table:
+                return table.execute(f"select {columns} from {layer}").fetchall()
+        trees = sorted(rows("trees", "tree_id, height_m, crown_radius_m, points"))
+        kerbs = sorted(rows("kerbs", "kerb_id, height_m, length_m"))
+        self.assertGreater(min(len(trees), len(kerbs), len(plan.blocks)), 0)
+        for tree, row in zip(plan.trees, trees, strict=True):
+            np.testing.assert_allclose((tree.id, tree.height_m, tree.crown_radius_m, tree.points), row, rtol=1e-6)
+            self.assertEqual(tree.__geo_interface__["geometry"], {"type": "Point", "coordinates": tree.position[:2]})
+        for kerb, row in zip(plan.kerbs, kerbs, strict=True):
+            np.testing.assert_allclose((kerb.id, kerb.height_m, kerb.length_m), row, rtol=1e-6)
+            self.assertEqual(kerb.line.shape, (len(kerb.heights_m), 3))
+            self.assertAlmostEqual(np.hypot(*np.diff(kerb.line[:, :2], axis=0).T).sum(), kerb.length_m, 2)
+            self.assertEqual(len(kerb.__geo_interface__["geometry"]["coordinates"]), len(kerb.line))
+        for part in plan.blocks + plan.gaps:
+            self.assertAlmostEqual(np.hypot(part.end[0] - part.start[0], part.end[1] - part.start[1]), part.length_m, 2)
 
     def test_clouds_go_out_and_come_in(self):
         for name in ("a.laz", "b.las", "c.ply"):

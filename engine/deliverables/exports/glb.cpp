@@ -19,6 +19,14 @@ static_assert(std::endian::native == std::endian::little, "glTF is little endian
 constexpr int kFloat = 5126, kShort = 5123, kInt = 5125;
 constexpr std::size_t kAlignment = 8;  // of property tables; arrays of vertices need 4
 
+Json material(const char* name, double red, double green, double blue) {
+  return {{"name", name},
+          {"pbrMetallicRoughness",
+           {{"baseColorFactor", {red, green, blue, 1}}, {"metallicFactor", 0}, {"roughnessFactor", 1}}}};
+}
+
+}  // namespace
+
 void append_number(std::string& text, std::uint64_t value) {
   const auto number = static_cast<std::uint32_t>(value);
   text.append(reinterpret_cast<const char*>(&number), sizeof number);
@@ -28,14 +36,6 @@ std::string padded(std::string text, char with) {
   text.resize((text.size() + kAlignment - 1) / kAlignment * kAlignment, with);
   return text;
 }
-
-Json material(const char* name, double red, double green, double blue) {
-  return {{"name", name},
-          {"pbrMetallicRoughness",
-           {{"baseColorFactor", {red, green, blue, 1}}, {"metallicFactor", 0}, {"roughnessFactor", 1}}}};
-}
-
-}  // namespace
 
 std::size_t Glb::add_view(std::span<const std::byte> bytes, GlbTarget target) {
   binary_ = padded(std::move(binary_), '\0');

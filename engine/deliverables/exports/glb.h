@@ -32,6 +32,10 @@ class Glb {
   std::string binary_;
 };
 
+// Binary files of glTF and 3D Tiles: numbers of 32 bits, and chunks that end at a multiple of 8 bytes.
+void append_number(std::string& text, std::uint64_t value);
+std::string padded(std::string text, char with);
+
 // Returns the asset and the three materials of buildings, "roof", "wall", "ground", in the order of SurfaceKind.
 nlohmann::ordered_json glb_start();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// 3D Tiles 1.1 [OGC 22-025r4]: tileset.json and a GLB file for each tile.
+// 3D Tiles 1.1 [OGC 22-025r4]: tileset.json, files of subtrees, and a GLB file for each tile.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace ilot {
 
-// An explicit quadtree: a city has some thousands of tiles, for which availability bits of implicit tiling spare next
-// to nothing, and its tiles are as full as its quarters are. The geometric error of a tile is the size of the largest
-// model that only its children show. All models are held in memory until finish().
+// A quadtree by implicit tiling: names of files follow from the squares, and subtrees say which there are. Boxes and
+// errors of tiles are metadata of the subtrees: models reach beyond their square, and the error of a tile is the size
+// of the largest model that only its children show. All models are held in memory until finish().
 class Tileset {
  public:
   // `folder` is made. With a CRS the root stands on the earth; otherwise it has no transform and its extras say so.
@@ -26,6 +26,7 @@ class Tileset {
  private:
   void add_model(TileModel model);
   nlohmann::ordered_json asset() const;
+  nlohmann::ordered_json whole(const ModelTree& tree) const;  // tileset.json
 
   std::filesystem::path folder_;
   ExportFrame frame_;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "kernels/core/rng.h"
@@ -25,26 +27,40 @@ std::vector<TileItem> town(std::uint64_t seed, std::size_t count, double width) 
   return items;
 }
 
-// Every item is in one tile; tiles are not too full; what a tile shows is as large as all that its children show, and
-// its box holds them.
+bool at_one_place(const std::vector<TileItem>& items, const ModelTile& tile) {
+  const Vec3 first = items[tile.items[0]].box.min;
+  return std::all_of(tile.items.begin(), tile.items.end(),
+                     [&](std::uint32_t i) { return norm(items[i].box.min - first) < 0.001; });
+}
+
+// Every item is in one tile, by its middle; tiles are not too full; what a tile shows is as large as all that its
+// children show, and its box holds them.
 void check(const std::vector<TileItem>& items, const TileTreeParams& params) {
-  const std::vector<ModelTile> tiles = tile_tree(items, params);
+  const ModelTree tree = tile_tree(items, params);
+  const std::vector<ModelTile>& tiles = tree.tiles;
   std::set<std::uint32_t> seen;
   std::vector<int> parents(tiles.size());
   for (const ModelTile& tile : tiles) {
     std::size_t triangles = 0;
+    const double width = std::ldexp(tree.width, -static_cast<int>(tile.level));
     for (const std::uint32_t i : tile.items) {
+      const Vec3 middle = 0.5 * (items[i].box.min + items[i].box.max);
+      EXPECT_NEAR(middle.x, tree.x + (tile.x + 0.5) * width, 0.5 * width + 1e-6);
+      EXPECT_NEAR(middle.y, tree.y + (tile.y + 0.5) * width, 0.5 * width + 1e-6);
       EXPECT_TRUE(seen.insert(i).second);
       EXPECT_GE(size_of(items[i]), tile.missing_m);
       EXPECT_TRUE(tile.box.contains(items[i].box.min) && tile.box.contains(items[i].box.max));
       triangles += items[i].triangles;
     }
-    if (tile.items.size() > 1) {
+    if (tile.items.size() > 1 && !at_one_place(items, tile)) {
       EXPECT_LE(triangles, params.most_triangles);
     }
     double missing = 0;
     for (const std::uint32_t child : tile.children) {
       ++parents[child];
+      EXPECT_EQ(tiles[child].level, tile.level + 1);
+      EXPECT_EQ(tiles[child].x / 2, tile.x);
+      EXPECT_EQ(tiles[child].y / 2, tile.y);
       EXPECT_TRUE(tile.box.contains(tiles[child].box.min) && tile.box.contains(tiles[child].box.max));
       EXPECT_LE(tiles[child].missing_m, tile.missing_m);
       for (const std::uint32_t i : tiles[child].items) missing = std::max(missing, size_of(items[i]));
@@ -64,7 +80,7 @@ TEST(TileTree, ShowsEveryItemOnceLargestFirst) {
 TEST(TileTree, NoTileOfAWideTownShowsItemsFarFromItsMiddle) {
   const std::vector<TileItem> items = town(1, 300, 60000);
   check(items, {1000, 16000});
-  for (const ModelTile& tile : tile_tree(items, {1000, 16000}))
+  for (const ModelTile& tile : tile_tree(items, {1000, 16000}).tiles)
     if (!tile.items.empty()) {
       EXPECT_LT(tile.box.max.x - tile.box.min.x, 16000 + 100);
     }
@@ -72,8 +88,9 @@ TEST(TileTree, NoTileOfAWideTownShowsItemsFarFromItsMiddle) {
 
 TEST(TileTree, EndsWhereAllItemsAreAtOnePlace) {
   check(std::vector<TileItem>(50, TileItem{{{1, 2, 3}, {4, 5, 6}}, 900}), {1000000, 16000});
-  EXPECT_EQ(tile_tree(std::vector<TileItem>(50, TileItem{{{1, 2, 3}, {4, 5, 6}}, 900}), {1000, 16000}).size(), 1u);
-  EXPECT_TRUE(tile_tree({}, {}).empty());
+  EXPECT_EQ(tile_tree(std::vector<TileItem>(50, TileItem{{{1, 2, 3}, {4, 5, 6}}, 900}), {1000, 16000}).tiles.size(),
+            1u);
+  EXPECT_TRUE(tile_tree({}, {}).tiles.empty());
 }
 
 }  // namespace
