@@ -3,60 +3,19 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
-#include <sstream>
+#include "engine/products/streets/classes/tree_text.h"
 
 namespace ilot {
-namespace {
-
-constexpr std::size_t kMostDepth = 7;
-
-// Parses the whole word as a number. Returns false where the word is not exactly one number.
-template <class Number>
-bool number_of(std::string_view word, Number& value) {
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size();
-}
-
-template <class Number>
-bool next_number(std::istringstream& words, Number& value) {
-  std::string word;
-  return words >> word && number_of(word, value);
-}
-
-// Parses "-", or a column and one of its limits in this stage.
-bool split_of(const std::string& word, const RoleStage& stage, TreeSplit& split) {
-  split = {0, kNoSplit};
-  if (word == "-") return true;
-  const std::size_t colon = word.find(':');
-  return colon != std::string::npos && number_of(std::string_view(word).substr(0, colon), split.column) &&
-         number_of(std::string_view(word).substr(colon + 1), split.bin) && split.column < stage.columns.size() &&
-         split.bin < stage.trees.limits[split.column].size();
-}
-
-}  // namespace
 
 std::string role_trees_text(const RoleTrees& model) {
   std::string text;
   if (model.empty()) return text;
   for (const RoleStage& stage : model.stages) {
     const BoostedTrees& trees = stage.trees;
-    text += fmt::format("stage {} {}\n", trees.depth, fmt::join(trees.first, " "));
-    for (std::size_t c = 0; c < stage.columns.size(); ++c) {
-      text += fmt::format("column {}", trees.limits[c].size());
-      for (const float limit : trees.limits[c]) text += fmt::format(" {:.9g}", limit);
-      text += " " + role_column_name(stage.columns[c]) + "\n";
-    }
-    const std::size_t leaves = std::size_t{1} << trees.depth;
-    for (std::size_t t = 0; t < trees.trees(); ++t) {
-      text += "tree";
-      for (std::size_t n = t * (leaves - 1); n < (t + 1) * (leaves - 1); ++n)
-        text +=
-            trees.splits[n].bin == kNoSplit ? " -" : fmt::format(" {}:{}", trees.splits[n].column, trees.splits[n].bin);
-      for (std::size_t n = t * leaves; n < (t + 1) * leaves; ++n) text += fmt::format(" {}", trees.leaves[n]);
-      text += "\n";
-    }
+    text += "stage " + tree_start_text(trees);
+    for (std::size_t c = 0; c < stage.columns.size(); ++c)
+      text += tree_column_text(trees, c, role_column_name(stage.columns[c]));
+    text += tree_nodes_text(trees);
   }
   return text;
 }
@@ -67,52 +26,23 @@ std::string RoleTreesReader::take(const std::string& line) {
   words >> word;
   if (word == "stage") return take_stage(words);
   if (stages_ == 0) return "stands before any stage";
-  return word == "column" ? take_column(words) : take_tree(words);
+  return word == "column" ? take_column(words) : take_tree_nodes(words, stage().trees);
 }
 
 std::string RoleTreesReader::take_stage(std::istringstream& words) {
   if (++stages_ > kRoleStages) return "there are too many stages";
-  BoostedTrees& trees = stage().trees;
-  trees.classes = kCandidateKinds;
-  trees.first.resize(kCandidateKinds);
-  if (!next_number(words, trees.depth) || trees.depth == 0 || trees.depth > kMostDepth) return "there is no such depth";
-  for (std::int32_t& first : trees.first)
-    if (!next_number(words, first)) return fmt::format("fewer than {} numbers", kCandidateKinds);
-  return {};
+  return take_tree_start(words, kCandidateKinds, stage().trees);
 }
 
 std::string RoleTreesReader::take_column(std::istringstream& words) {
-  std::size_t count = 0;
-  if (!next_number(words, count) || count > 255) return "there is no such number of limits";
-  std::vector<float> limits(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!next_number(words, limits[i]) || !std::isfinite(limits[i])) return fmt::format("fewer than {} numbers", count);
-    if (i > 0 && !(limits[i] > limits[i - 1])) return "limits do not rise";
-  }
   std::string name;
-  std::getline(words >> std::ws, name);
+  if (std::string error = take_tree_column(words, stage().trees, name); !error.empty()) return error;
   for (std::size_t c = 0; c < (stages_ == 1 ? kCandidateFeatures : kRoleColumns); ++c) {
     if (role_column_name(c) != name) continue;
     stage().columns.push_back(c);
-    stage().trees.limits.push_back(limits);
     return {};
   }
   return "there is no column '" + name + "'";
-}
-
-std::string RoleTreesReader::take_tree(std::istringstream& words) {
-  BoostedTrees& trees = stage().trees;
-  const std::size_t leaves = std::size_t{1} << trees.depth;
-  std::string word;
-  for (std::size_t n = 0; n + 1 < leaves; ++n) {
-    trees.splits.emplace_back();
-    if (!(words >> word) || !split_of(word, stage(), trees.splits.back())) return "a node is none";
-  }
-  for (std::size_t n = 0; n < leaves; ++n) {
-    trees.leaves.emplace_back();
-    if (!next_number(words, trees.leaves.back())) return fmt::format("fewer than {} leaves", leaves);
-  }
-  return {};
 }
 
 std::string RoleTreesReader::finish(RoleTrees& model) {

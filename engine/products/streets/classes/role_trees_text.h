@@ -22,7 +22,6 @@ class RoleTreesReader {
  private:
   std::string take_stage(std::istringstream& words);
   std::string take_column(std::istringstream& words);
-  std::string take_tree(std::istringstream& words);
   RoleStage& stage() { return model_.stages[stages_ - 1]; }
 
   RoleTrees model_;
