@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "engine/pass/index.h"
+#include "engine/products/streets/ground/standing_form.h"
 #include "engine/products/streets/make_streets.h"
 #include "engine/proof/point_stream.h"
 #include "engine/whole_file.h"
@@ -141,7 +142,7 @@ class Trunks {
   bool bases_;
 };
 
-// Returns level and candidates of the pixel of a point. It keeps few tiles in memory.
+// Returns what a run has found at the pixel of a point. It keeps few tiles in memory.
 class PixelLookup {
  public:
   explicit PixelLookup(const FoundStreet& found) : tiles_(*found.tiles) {}
@@ -149,6 +150,17 @@ class PixelLookup {
   struct Seen {
     Height level = kNoHeight;
     std::size_t candidate = 0;
+    bool on_street = false;  // and not in a building
+    Structure structure = Structure::none;
+
+    // Where a point of this height went.
+    PointPlace place(Height z, const RasterScale& scale) const {
+      const Height above = level == kNoHeight ? 0 : z - level;
+      if (above < scale.units(StreetsSettings{}.least_height)) return PointPlace::ground;
+      if (is_overhead(structure) && above >= scale.units(kClearance)) return PointPlace::overhead;
+      if (!on_street) return PointPlace::building;
+      return candidate == 0 ? PointPlace::no_part : PointPlace::part;
+    }
   };
   Seen at(Index3 p) {
     const TileRaster& raster = tiles_.raster();
@@ -159,17 +171,25 @@ class PixelLookup {
     if (entry == kept_.end()) {
       if (kept_.size() > 60) kept_.clear();
       entry = kept_
-                  .try_emplace(tile, layer_tile(tiles_.layers(), "level", tile),
-                               layer_tile(tiles_.layers(), "candidates", tile))
+                  .try_emplace(tile, Kept{layer_tile(tiles_.layers(), "level", tile),
+                                          layer_tile(tiles_.layers(), "candidates", tile),
+                                          layer_tile(tiles_.layers(), "mask", tile),
+                                          layer_tile(tiles_.cells().layers, "structure", tile)})
                   .first;
     }
+    const Kept& kept = entry->second;
     const auto pixel = static_cast<std::size_t>(y % side * side + x % side);
-    return {entry->second.first.values[pixel], static_cast<std::size_t>(entry->second.second.values[pixel])};
+    const std::size_t cell = tiles_.cells().cell_of(pixel, raster.grid.side);
+    return {kept.level.values[pixel], static_cast<std::size_t>(kept.candidates.values[pixel]),
+            kept.mask.values[pixel] == 1, static_cast<Structure>(kept.structure.values[cell])};
   }
 
  private:
+  struct Kept {
+    Image level, candidates, mask, structure;
+  };
   const StreetTiles& tiles_;
-  std::map<std::size_t, std::pair<Image, Image>> kept_;
+  std::map<std::size_t, Kept> kept_;
 };
 
 // Reads all points. Counts which true points are in which candidate, and how much of the ground is found.
@@ -192,6 +212,8 @@ Shares compare(PointReader& reader, const FoundStreet& found, TrueStreet& truth,
     auto object = static_cast<std::uint32_t>(integer_of(record, element));
     const auto true_class = static_cast<std::uint32_t>(integer_of(record, kind));
     const PixelLookup::Seen seen = look.at(p);
+    street.bounds.add({raster.column(p.x), raster.row(p.y), truth.objects.count(object) != 0 ? object : 0,
+                       seen.place(height_of(p.z), raster.scale)});
     if (true_class == kTree && seen.level != kNoHeight && p.z - seen.level < highest)
       object = trunks.at(static_cast<double>(p.x) * raster.unit, static_cast<double>(p.y) * raster.unit, truth);
     const auto entry = truth.objects.find(object);
@@ -287,6 +309,7 @@ Street study(const fs::path& cloud, const Leaving& leaving) {
   for (const auto& [id, object] : truth.objects) street.objects[object.class_name] += object.points > 0;
   add_samples(found, shares, truth, street);
   street.blocks = truth.blocks.size();
+  street.view = found.view;
   print_lost(truth, found);
   fs::remove_all(folder);
   return street;

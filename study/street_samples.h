@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "engine/products/streets/classes/training_sample.h"
+#include "ilot/settings.h"
+#include "study/street_bounds.h"
 
 namespace ilot {
 
@@ -20,6 +22,8 @@ struct Street {
   std::map<std::string, std::uint64_t> objects;  // objects that were seen, by class
   std::map<std::uint32_t, PointLabel> classes;   // of objects
   std::uint64_t blocks = 0, ground = 0, ground_found = 0;
+  StreetBounds bounds;                   // without trunks; only after study()
+  StreetView view = StreetView::street;  // only after study()
 };
 
 // Returns the classes of objects as truth files name them.

@@ -2,12 +2,14 @@
 #include "engine/products/streets/street_tiles.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <mutex>
 #include <utility>
 
 #include "engine/pass/pass.h"
+#include "engine/products/streets/ground/standing_features.h"
 #include "engine/products/streets/ground/standing_form.h"
 #include "engine/products/streets/ground/street_mask.h"
 #include "engine/store/stretches.h"
@@ -79,14 +81,57 @@ Image spread(const Image& around, const Image& terrain, std::uint32_t reach) {
   });
 }
 
-// The form of a cell that was scanned from the street: what is upright in its pixels is a wall or a pole, whatever else
-// is in the cell, and nothing else is. `bins`: those of its pixels, row by row; `top`: the bin of its highest point.
-StandingForm street_shape(StandingForm of_points, const HeightBins* bins, std::uint32_t factor, std::uint32_t top) {
+// What the pixels of a cell show that was scanned from the street.
+struct CellPixels {
+  HeightBins bins = 0;  // of all
+  Height upright = 0, most_bins = 0, pixels = 0;
+};
+
+// `bins`: those of its pixels, row by row; `top`: the bin of its highest point.
+CellPixels pixels_of(const HeightBins* bins, std::uint32_t factor, std::uint32_t top) {
+  CellPixels out;
   for (std::uint32_t v = 0; v < factor; ++v)
-    for (std::uint32_t u = 0; u < factor; ++u)
-      if (is_upright(bins[v * kSide + u], {kFirstBin, top})) return StandingForm::upright;
+    for (std::uint32_t u = 0; u < factor; ++u) {
+      const HeightBins b = bins[v * kSide + u];
+      out.bins |= b;
+      out.upright += is_upright(b, {kFirstBin, top});
+      out.most_bins = std::max<Height>(out.most_bins, std::popcount(b >> kFirstBin));
+      out.pixels += b != 0;
+    }
+  return out;
+}
+
+// The form of a cell that was scanned from the street: what is upright in its pixels is a wall or a pole, whatever else
+// is in the cell, and nothing else is.
+StandingForm street_shape(StandingForm of_points, const CellPixels& pixels) {
+  if (pixels.upright > 0) return StandingForm::upright;
   return of_points == StandingForm::upright || of_points == StandingForm::pole ? StandingForm::inclined : of_points;
 }
+
+// The layers of cells that say what stands there.
+struct CellLayers {
+  explicit CellLayers(std::uint32_t side) : shape(filled_image(side, side, 0)) { measures.fill(shape); }
+
+  void set(CellMeasure m, std::size_t i, Height v) { measures[static_cast<std::size_t>(m)].values[i] = v; }
+  void set_spread(std::size_t i, const StandingPoints::Spread& spread, double side) {
+    std::uint32_t packed = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      packed |=
+          static_cast<std::uint32_t>(std::min(1023LL, std::llround(spread.deviations[k] / side * kDeviationSteps)))
+          << (10 * k);
+    set(CellMeasure::deviations, i, static_cast<Height>(packed));
+    set(CellMeasure::normal, i, static_cast<Height>(std::llround(1000 * spread.normal_z)));
+  }
+  void set_pixels(std::size_t i, const CellPixels& p) {
+    set(CellMeasure::bins, i, static_cast<Height>(p.bins));
+    set(CellMeasure::upright, i, p.upright);
+    set(CellMeasure::most_bins, i, p.most_bins);
+    set(CellMeasure::pixels, i, p.pixels);
+  }
+
+  Image shape;
+  CellMeasures measures;
+};
 
 // The number of points of a cell that `tenths` tenths of all cells do not exceed.
 std::uint32_t quantile_of(const std::map<std::uint32_t, std::uint64_t>& cells, std::uint64_t all,
@@ -215,25 +260,31 @@ void StreetTiles::draw_heights(StreetView view) const {
       const Height z = height_of(p.z), above = z - terrain.values[cell];
       cells[cell].add(x - u * side, y - v * side, above, least);
       const std::size_t pixel = std::size_t{pixel_of(y)} * kSide + pixel_of(x);
-      if (above > 0) bins[pixel] |= HeightBins{1} << std::min<std::uint32_t>(kHeightBins - 1, above / bin);
+      bins[pixel] |= HeightBins{1} << std::min<std::uint32_t>(kHeightBins - 1, std::max(0, above) / bin);
       if (above >= clearance) return;
       clear.values[pixel] = std::max(clear.values[pixel], z);
       ++clear_points.values[pixel];
     });
-    Image shape = filled_image(cells_.side(), cells_.side(), 0), top = shape;
+    CellLayers out(cells_.side());
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const std::size_t first = (i / shape.width * kSide + i % shape.width) * cells_.factor;
-      StandingForm of = cells[i].shape(static_cast<double>(side));
-      if (view == StreetView::street)
-        of = street_shape(of, bins.data() + first, cells_.factor,
-                          static_cast<std::uint32_t>(std::max(0, cells[i].top() / bin)));
-      shape.values[i] = static_cast<Height>(of);
-      top.values[i] = cells[i].top();
+      const std::size_t first = (i / cells_.side() * kSide + i % cells_.side()) * cells_.factor;
+      const StandingPoints::Spread spread = cells[i].spread();
+      StandingForm of = cells[i].shape(spread, static_cast<double>(side));
+      if (view == StreetView::street) {
+        const CellPixels pixels = pixels_of(bins.data() + first, cells_.factor,
+                                            static_cast<std::uint32_t>(std::max(0, cells[i].top() / bin)));
+        of = street_shape(of, pixels);
+        out.set_spread(i, spread, static_cast<double>(side));
+        out.set_pixels(i, pixels);
+      }
+      out.shape.values[i] = static_cast<Height>(of);
+      out.set(CellMeasure::top, i, cells[i].top());
     }
     layers().write("clear", tile, clear);
     layers().write("clear points", tile, clear_points);
-    cells_.layers.write("shape", tile, shape);
-    cells_.layers.write("top", tile, top);
+    cells_.layers.write("shape", tile, out.shape);
+    for (std::size_t m = 0; m < (view == StreetView::street ? kCellMeasures : 1); ++m)
+      cells_.layers.write(cell_measure_layer(static_cast<CellMeasure>(m)), tile, out.measures[m]);
   });
 }
 
@@ -250,7 +301,8 @@ void StreetTiles::take_out_overhead() const {
     layers().write("range", tile, range);
     layers().write("accumulation", tile, accumulation);
   });
-  for (const char* layer : {"clear", "clear points", "shape", "top"}) layers().drop(layer);
+  for (const char* layer : {"clear", "clear points", "shape"}) layers().drop(layer);
+  for (std::size_t m = 0; m < kCellMeasures; ++m) layers().drop(cell_measure_layer(static_cast<CellMeasure>(m)));
 }
 
 double StreetTiles::mean_accumulation() const {

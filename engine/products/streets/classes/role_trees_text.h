@@ -29,7 +29,6 @@ class TreesReader {
  private:
   std::string begin(std::istringstream& words, std::size_t classes, std::size_t columns);
   std::string take_column(std::istringstream& words);
-  std::string take_tree(std::istringstream& words);
 
   RoleTrees roles_;
   ColumnTrees classes_;

@@ -11,10 +11,6 @@ namespace ilot {
 namespace {
 
 constexpr std::int64_t kLeastPoints = 5;  // of a plane, with two more than fix it
-// Derived: points at random in a cell have a standard deviation of side / sqrt(12) along each axis; half of it is thin.
-constexpr double kThin = 0.5;
-// Choice: walls that lean by 17 degrees; steeper mansards are walls, and no harm is done.
-constexpr double kMostUprightNormal = 0.3;  // |z| of the normal of a wall
 // Choice: a column of windows is half glass, the piers between windows are not.
 constexpr std::uint32_t kLeastBins = 2;  // of an upright pixel; a wall that is cut at 2 m has two above 1 m
 constexpr std::uint32_t kTallBins = 4;   // an upright pixel may end below a crown or a roof if it has so many
@@ -22,8 +18,8 @@ constexpr std::uint32_t kFilledOf3 = 2;  // thirds of the bins of an upright pix
 
 }  // namespace
 
-StandingForm StandingPoints::shape(double side) const {
-  if (n_ < kLeastPoints) return StandingForm::none;
+StandingPoints::Spread StandingPoints::spread() const {
+  if (n_ < kLeastPoints) return {};
   const auto n = static_cast<double>(n_);
   const auto mean = [&](std::size_t a) { return static_cast<double>(sum_[a]) / n; };
   const auto moment = [&](std::size_t k, std::size_t a, std::size_t b) {
@@ -31,12 +27,16 @@ StandingForm StandingPoints::shape(double side) const {
   };
   const Eigen3 e = eigen_symmetric(
       {moment(0, 0, 0), moment(1, 0, 1), moment(2, 0, 2), moment(3, 1, 1), moment(4, 1, 2), moment(5, 2, 2)});
-  const double thin = kThin * side / std::sqrt(12.0);
   const auto deviation = [&](std::size_t i) { return std::sqrt(std::max(0.0, e.values[i])); };
-  if (deviation(0) > thin) return StandingForm::volume;
-  const bool upright = std::abs(e.vectors[0].z) < kMostUprightNormal;
-  if (!upright) return StandingForm::inclined;
-  return deviation(1) <= thin ? StandingForm::pole : StandingForm::upright;
+  return {{deviation(0), deviation(1), deviation(2)}, std::abs(e.vectors[0].z)};
+}
+
+StandingForm StandingPoints::shape(const Spread& spread, double side) const {
+  if (n_ < kLeastPoints) return StandingForm::none;
+  const double thin = kThin * side / std::sqrt(12.0);
+  if (spread.deviations[0] > thin) return StandingForm::volume;
+  if (spread.normal_z >= kMostUprightNormal) return StandingForm::inclined;
+  return spread.deviations[1] <= thin ? StandingForm::pole : StandingForm::upright;
 }
 
 bool is_upright(HeightBins bins, BinRange range) {

@@ -8,6 +8,10 @@
 
 namespace ilot {
 
+// Derived: points at random in a cell have a standard deviation of side / sqrt(12) along each axis; half of it is thin.
+constexpr double kThin = 0.5;
+// Choice: walls that lean by 17 degrees; steeper mansards are walls, and no harm is done.
+constexpr double kMostUprightNormal = 0.3;  // |z| of the normal of a wall
 // The form of the points of a cell that are high above the terrain.
 enum class StandingForm : std::uint8_t {
   none = 0,      // too few points
@@ -43,8 +47,16 @@ class StandingPoints {
 
   // The highest point above the terrain; kNoHeight where none is above it.
   Height top() const { return top_; }
+  // The standard deviations of the points along their principal axes, smallest first, in units, and |z| of the
+  // direction of the smallest; all 0 where there are too few points.
+  struct Spread {
+    std::array<double, 3> deviations{};
+    double normal_z = 0;
+  };
+  Spread spread() const;
   // Whether the points lie near a plane, and which, for cells with a side of `side` units.
-  StandingForm shape(double side) const;
+  StandingForm shape(double side) const { return shape(spread(), side); }
+  StandingForm shape(const Spread& spread, double side) const;
 
  private:
   static constexpr Height kMost = 1 << 20;  // units; squares and their sums stay below 2^63

@@ -7,22 +7,17 @@
 #include <mutex>
 #include <vector>
 
+#include "engine/products/streets/ground/structure_model.h"
 #include "kernels/morphology/flat_zones_tiled.h"
 
 namespace ilot {
 namespace {
 
 constexpr std::uint32_t kLeastWalls = 3;  // cells of a wall near what belongs to it
-// Choice: three masts in a row are no wall; four in 4 m are taken for one.
-constexpr double kLeastOfLine = 4;  // upright cells of a line
-// Derived: a straight line aslant to the cells has up to 0.6; walls with niches have more.
-constexpr double kWidestLine = 0.8;  // cells; standard deviation across a line
-// Derived: two standard deviations of the widest line.
-constexpr double kFarthestOfLine = 2 * kWidestLine;  // cells
-constexpr std::uint32_t kLoneCells = 2;  // upright cells in a square of three; a post on the border of two cells
-// Choice: a balcony of 1.2 m before a wall covers less than half of the cells; a crown that touches a wall covers more.
-constexpr double kCrownShare = 0.57;  // of the cells around one before a wall
-
+// Derived: the edges of roofs are decided from two cells around and the neighbours of those.
+constexpr std::uint32_t kEdgeHalo = 3;  // cells
+// Derived: 72 features and their bins, and 36 sums and maxima, of eight bytes.
+constexpr std::uint32_t kBytesOfCell = 1000;
 // Derived: a line aslant to the cells crosses five of nine, and the eaves before it cover two more.
 constexpr std::uint32_t kSolidCells = 8;  // of nine; so many of volumes are no edge of a building
 // Derived: of the nine cells around one beside the edge of a roof, three are of the edge.
@@ -50,50 +45,6 @@ Votes votes_of(const Image& shape, const Image& top, std::uint32_t reach, Height
           votes[s][y * w + x] = static_cast<std::uint16_t>(votes[s][y * w + x] + rows[v * w + x]);
   }
   return votes;
-}
-
-// Sums over a box of 2 reach + 1 around each cell; 0 nearer than `reach` to the end of the image.
-std::vector<double> box_sums(const std::vector<double>& own, std::size_t w, std::size_t h, std::size_t reach) {
-  std::vector<double> rows(own.size(), 0), out(own.size(), 0);
-  for (std::size_t y = 0; y < h; ++y)
-    for (std::size_t x = reach; x + reach < w; ++x)
-      for (std::size_t u = x - reach; u <= x + reach; ++u) rows[y * w + x] += own[y * w + u];
-  for (std::size_t y = reach; y + reach < h; ++y)
-    for (std::size_t v = y - reach; v <= y + reach; ++v)
-      for (std::size_t x = 0; x < w; ++x) out[y * w + x] += rows[v * w + x];
-  return out;
-}
-
-// Whether the upright cells around a cell lie on a line, and whether the cell itself does.
-enum class OnLine : std::uint8_t { no_line, beside, on };
-
-// Looks for lines of at least four upright cells, longer than `length` cells. All sums are whole numbers.
-std::vector<OnLine> lines_of(const Image& shape, const Image& top, std::uint32_t reach, double length, Height least) {
-  const std::size_t w = shape.width, h = shape.height;
-  std::array<std::vector<double>, 6> sums;
-  for (std::size_t k = 0; k < sums.size(); ++k) {
-    std::vector<double> own(w * h, 0);
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      if (shape.values[i] != static_cast<Height>(StandingForm::upright) || top.values[i] < least) continue;
-      const auto x = static_cast<double>(i % w), y = static_cast<double>(i / w);
-      own[i] = std::array{1.0, x, y, x * x, x * y, y * y}[k];
-    }
-    sums[k] = box_sums(own, w, h, reach);
-  }
-  std::vector<OnLine> out(w * h, OnLine::no_line);
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    const double n = sums[0][i];
-    if (n < kLeastOfLine) continue;
-    const double x = sums[1][i] / n, y = sums[2][i] / n;
-    const double xx = sums[3][i] / n - x * x, xy = sums[4][i] / n - x * y, yy = sums[5][i] / n - y * y;
-    const double half = (xx + yy) / 2, root = std::sqrt((xx - yy) * (xx - yy) / 4 + xy * xy);
-    if (half - root > kWidestLine * kWidestLine || 12 * (half + root) < length * length) continue;
-    // The squared distance from the line: the part of the offset from the middle that is across the line.
-    const double dx = static_cast<double>(i % w) - x, dy = static_cast<double>(i / w) - y;
-    const double across = ((half + root - xx) * dx * dx - 2 * xy * dx * dy + (half + root - yy) * dy * dy) / (2 * root);
-    out[i] = across <= kFarthestOfLine * kFarthestOfLine ? OnLine::on : OnLine::beside;
-  }
-  return out;
 }
 
 // Whether a tall cell touches one of a form.
@@ -158,14 +109,13 @@ class StructureFinder {
         params_(params),
         view_(view),
         reach_(std::max(2u, cells.scale.pixels(params.around))),
-        line_reach_(std::max(2u, cells.scale.pixels(params.line / 2))),
-        line_length_(params.line / 2 / cells.scale.pixel),
         least_(cells.scale.units(params.least_height)),
         wall_(cells.scale.units(params.least_wall)) {}
 
   void find() {
-    for_each_tile(layers_.grid, [&](std::size_t tile) { layers_.write("structure", tile, voted(tile)); },
-                  {120, reach_ + line_reach_ + 1});
+    const auto found = [&](std::size_t tile) { return view_ == StreetView::air ? voted(tile) : learnt(tile); };
+    for_each_tile(layers_.grid, [&](std::size_t tile) { layers_.write("structure", tile, found(tile)); },
+                  {kBytesOfCell, std::max(reach_ + kEdgeHalo, kStandingHalo)});
     drop_small_buildings();
   }
 
@@ -175,51 +125,52 @@ class StructureFinder {
                         roofs = votes[static_cast<std::size_t>(StandingForm::inclined)][i],
                         crowns = votes[static_cast<std::size_t>(StandingForm::volume)][i] +
                                  votes[static_cast<std::size_t>(StandingForm::pole)][i];
-    const std::uint32_t area = (2 * reach_ + 1) * (2 * reach_ + 1);
     const bool fixed = touches(shape, top, i, StandingForm::upright, wall_);
-    if (walls >= kLeastWalls && view_ == StreetView::street) {
-      const bool is_post = shape.values[i] == static_cast<Height>(StandingForm::pole);
-      if (fixed && !is_post &&
-          (top.values[i] < least_ || shape.values[i] == static_cast<Height>(StandingForm::upright)))
-        return Structure::wall;
-      if (fixed && !is_post) return Structure::overhang;
-      if (top.values[i] < least_) return Structure::none;
-      // What is high before a wall is a part of it, as a balcony is, unless it is a post or a crown fills most of the
-      // box. What stands below is not.
-      if (crowns > kCrownShare * area) return Structure::crown;
-      return is_post ? Structure::none : Structure::overhang;
-    }
     // Seen from the air, only what is upright is a wall: a roof and a crown reach over it.
     if (walls >= kLeastWalls && shape.values[i] == static_cast<Height>(StandingForm::upright)) return Structure::wall;
     if (top.values[i] < least_) return walls >= kLeastWalls && fixed ? Structure::wall : Structure::none;
     // The cells along the edges of a roof are of no plane.
-    const std::uint32_t more = view_ == StreetView::air ? (walls + roofs) / 2 : 0;
-    if (walls + roofs + more > crowns && walls + roofs >= 2 * reach_ && roofs > 0) return Structure::roof;
+    if (walls + roofs + (walls + roofs) / 2 > crowns && walls + roofs >= 2 * reach_ && roofs > 0)
+      return Structure::roof;
     if (crowns >= 4 && crowns > walls + roofs) return Structure::crown;
     if (walls >= kLeastWalls && fixed) return Structure::wall;
     return Structure::none;
   }
 
+  // What the learnt trees say of the cells of a tile.
+  Image learnt(std::size_t tile) const {
+    const CellMeasures around = cell_measures_around(cells_, tile);
+    const Image shape = layer_tile(layers_, "shape", tile), top = layer_tile(layers_, "top", tile);
+    const StandingRows rows = standing_rows(around, cells_.scale, cells_.factor, wall_);
+    const std::vector<StandingKind> kinds = standing_kinds(default_structure_model(), rows);
+    Image out = filled_image(shape.width, shape.height, 0);
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+      const std::size_t i = cell_of_tile(around, rows.cells[k]);
+      out.values[i] =
+          static_cast<Height>(structure_of(kinds[k], static_cast<StandingForm>(shape.values[i]), top.values[i]));
+    }
+    return out;
+  }
+
+  Structure structure_of(StandingKind kind, StandingForm form, Height top) const {
+    switch (kind) {
+      case StandingKind::facade:
+        return form == StandingForm::upright || top < least_ ? Structure::wall : Structure::overhang;
+      case StandingKind::roof:
+        return top < least_ ? Structure::none : Structure::roof;
+      case StandingKind::crown:
+        return top < least_ ? Structure::none : Structure::crown;
+      case StandingKind::object:
+        break;
+    }
+    return Structure::none;
+  }
+
   Image voted(std::size_t tile) const {
-    const std::uint32_t halo = reach_ + line_reach_ + 1;
+    const std::uint32_t halo = reach_ + kEdgeHalo;
     Image shape = layer_around(layers_, "shape", tile, halo);
     const Image top = layer_around(layers_, "top", tile, halo);
-    if (view_ == StreetView::street) {
-      const std::vector<OnLine> lines = lines_of(shape, top, line_reach_, line_length_, wall_);
-      const std::vector<std::uint16_t> near =
-          votes_of(shape, top, reach_, wall_)[static_cast<std::size_t>(StandingForm::upright)];
-      const std::uint32_t run = reach_ + 2, area = (2 * reach_ + 1) * (2 * reach_ + 1);
-      const std::vector<std::uint16_t> beside =
-          votes_of(shape, top, 1, wall_)[static_cast<std::size_t>(StandingForm::upright)];
-      const auto is_wall = [&](std::size_t i) {
-        if (lines[i] == OnLine::beside && beside[i] <= kLoneCells) return false;  // a post before a wall
-        return lines[i] != OnLine::no_line || (near[i] >= run && 2 * near[i] <= area);
-      };
-      for (std::size_t i = 0; i < lines.size(); ++i)
-        if (shape.values[i] == static_cast<Height>(StandingForm::upright) && !is_wall(i))
-          shape.values[i] = static_cast<Height>(StandingForm::pole);
-    }
-    if (view_ == StreetView::air) give_edges_to_roofs(shape, top, least_);
+    give_edges_to_roofs(shape, top, least_);
     const Votes votes = votes_of(shape, top, reach_, wall_);
     Image out = without_halo(shape, halo);
     for (std::uint32_t y = 0; y < out.height; ++y)
@@ -279,8 +230,7 @@ class StructureFinder {
   const TileLayers& layers_;
   const StructureParams& params_;
   StreetView view_;
-  std::uint32_t reach_, line_reach_;
-  double line_length_;  // cells
+  std::uint32_t reach_;
   Height least_, wall_;
 };
 

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+// Trains the model that tells what stands in the cells of streets that were scanned from the ground: trees on the
+// features of cells, from scanned scenes and the true classes of their points. Streets from the air are left out.
+// Usage: study_structures STREET.laz... --model FILE [--most N] [--rounds N] [--check STREET.laz...]
+// With --most, at most N cells of a kind are taken from each street, evenly spread. The streets after --check are not
+// trained with; the table of kinds is printed for them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+
+#include "engine/pass/index.h"
+#include "engine/products/streets/ground/structure_model.h"
+#include "engine/products/streets/make_streets.h"
+#include "engine/products/streets/street_tiles.h"
+#include "engine/proof/point_stream.h"
+#include "engine/whole_file.h"
+#include "kernels/core/parallel.h"
+#include "study/cut_reader.h"
+#include "training/tree_boosting.h"
+
+namespace {
+
+using namespace ilot;
+namespace fs = std::filesystem;
+
+constexpr double kLeastHeight = 1.8;  // metres; cells that are lower are not decided (StructureParams::least_wall)
+
+// Cells of one street: features, and the points of each kind that are so high.
+struct Cloud {
+  std::vector<double> rows;
+  std::vector<std::array<std::uint32_t, kStandingKinds>> points;
+};
+
+// The kind of a true class of `street-wild`; ground is none.
+int kind_of(std::uint32_t true_class) {
+  switch (true_class) {
+    case 1:
+      return -1;
+    case 2:
+      return static_cast<int>(StandingKind::facade);
+    case 7:
+      return static_cast<int>(StandingKind::crown);
+    case 8:
+      return static_cast<int>(StandingKind::roof);
+    default:
+      return static_cast<int>(StandingKind::object);
+  }
+}
+
+using CellPoints = std::vector<std::array<std::uint32_t, kStandingKinds>>;  // of the cells of a tile
+
+std::vector<CellPoints> true_points(PointReader& reader, const StreetTiles& tiles) {
+  const CloudInfo& info = reader.info();
+  const ExtraField kind = *find_integer_field(info.layout, "true_class");
+  const TileRaster& raster = tiles.raster();
+  const LatticeMap lattice(info.layout, raster.unit);
+  const Cells& cells = tiles.cells();
+  const Height least = raster.scale.units(kLeastHeight);
+  std::vector<CellPoints> out(raster.grid.count(), CellPoints(std::size_t{cells.side()} * cells.side()));
+  std::vector<Image> terrain;
+  for (std::size_t t = 0; t < out.size(); ++t) terrain.push_back(layer_tile(cells.layers, "terrain", t));
+  for_each_record(reader, [&](const std::byte* record) {
+    std::int32_t raw[3];
+    std::memcpy(raw, record, sizeof raw);
+    Index3 p;
+    if (!lattice.map(raw[0], raw[1], raw[2], p)) return;
+    const std::int64_t x = raster.column(p.x), y = raster.row(p.y), side = raster.grid.side;
+    const std::size_t tile = raster.grid.tile_with(x, y);
+    const int k = kind_of(static_cast<std::uint32_t>(integer_of(record, kind)));
+    if (tile == kNoTile || k < 0) return;
+    const std::size_t cell = cells.cell_of(static_cast<std::size_t>(y % side * side + x % side), raster.grid.side);
+    if (terrain[tile].values[cell] == kNoHeight || height_of(p.z) - terrain[tile].values[cell] < least) return;
+    ++out[tile][cell][static_cast<std::size_t>(k)];
+  });
+  return out;
+}
+
+Cloud cells_of_cloud(const fs::path& cloud) {
+  const fs::path folder = fs::temp_directory_path() / ("study_structures_" + cloud.stem().string());
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  std::vector<std::unique_ptr<PointReader>> readers;
+  readers.push_back(open_cloud(cloud));
+  PassContext context;
+  const IndexResult index = build_index(readers, {}, folder, context);
+  const StreetPixel pixel = street_pixel(index.store, {}, context);
+  Cloud out;
+  if (pixel.view == StreetView::street) {
+    const StreetTiles tiles(index.store, context, pixel.metres, pixel.density.median);
+    const Cells& cells = tiles.cells();
+    find_terrain(cells);
+    tiles.draw_heights(pixel.view);
+    const std::vector<CellPoints> truth = true_points(*readers[0], tiles);
+    for (std::size_t tile = 0; tile < truth.size(); ++tile) {
+      const CellMeasures around = cell_measures_around(cells, tile);
+      const StandingRows rows = standing_rows(around, cells.scale, cells.factor, cells.scale.units(kLeastHeight));
+      out.rows.insert(out.rows.end(), rows.rows.begin(), rows.rows.end());
+      for (const std::uint32_t cell : rows.cells) out.points.push_back(truth[tile][cell_of_tile(around, cell)]);
+    }
+  }
+  fs::remove_all(folder);
+  return out;
+}
+
+// The kind that most of the points of a cell have; kStandingKinds where it has none.
+std::uint32_t kind_of_cell(const std::array<std::uint32_t, kStandingKinds>& points) {
+  const auto most = std::max_element(points.begin(), points.end());
+  return *most == 0 ? kStandingKinds : static_cast<std::uint32_t>(most - points.begin());
+}
+
+struct Samples {
+  std::vector<double> rows;
+  std::vector<std::uint32_t> kinds;
+
+  // Takes at most `most` cells of each kind, evenly spread.
+  void add(const Cloud& cloud, std::size_t most) {
+    std::array<std::vector<std::size_t>, kStandingKinds> of_kind;
+    for (std::size_t i = 0; i < cloud.points.size(); ++i)
+      if (const std::uint32_t kind = kind_of_cell(cloud.points[i]); kind < kStandingKinds) of_kind[kind].push_back(i);
+    const std::size_t columns = standing_features();
+    for (std::uint32_t kind = 0; kind < kStandingKinds; ++kind) {
+      const std::size_t n = of_kind[kind].size(), take = std::min(n, most);
+      for (std::size_t k = 0; k < take; ++k) {
+        const auto first = cloud.rows.begin() + static_cast<std::ptrdiff_t>(of_kind[kind][k * n / take] * columns);
+        rows.insert(rows.end(), first, first + static_cast<std::ptrdiff_t>(columns));
+        kinds.push_back(kind);
+      }
+    }
+  }
+};
+
+using Table = std::array<std::array<std::uint64_t, kStandingKinds>, kStandingKinds>;  // points: true kind, found kind
+
+void print_table(const Table& table) {
+  constexpr std::array<const char*, kStandingKinds> kNames{"facade", "roof", "crown", "object"};
+  fmt::print("points of 1.8 m and more, percent; rows are the truth\n{:8} {:>8} {:>8} {:>8} {:>8}\n", "", "facade",
+             "roof", "crown", "object");
+  for (std::size_t k = 0; k < kStandingKinds; ++k) {
+    std::uint64_t all = 0;
+    for (const std::uint64_t n : table[k]) all += n;
+    fmt::print("{:8}", kNames[k]);
+    for (const std::uint64_t n : table[k])
+      fmt::print(" {:8.1f}", 100 * static_cast<double>(n) / static_cast<double>(std::max<std::uint64_t>(1, all)));
+    fmt::print("  of {}\n", all);
+  }
+}
+
+void check(const StructureModel& model, const std::vector<std::string>& clouds) {
+  Table all{};
+  for (const std::string& name : clouds) {
+    Cloud cloud = cells_of_cloud(name);
+    StandingRows rows;
+    rows.cells.resize(cloud.points.size());
+    rows.rows = std::move(cloud.rows);
+    const std::vector<StandingKind> kinds = standing_kinds(model, rows);
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+      for (std::size_t k = 0; k < kStandingKinds; ++k) all[k][static_cast<std::size_t>(kinds[i])] += cloud.points[i][k];
+  }
+  if (!clouds.empty()) print_table(all);
+}
+
+struct Arguments {
+  std::vector<std::string> clouds, checked;
+  fs::path model;
+  std::size_t most = 500;
+  TreeBoostingParams trees;
+};
+
+Arguments read_arguments(const std::vector<std::string>& words) {
+  Arguments a;
+  a.trees.rounds = 100;
+  std::vector<std::string>* list = &a.clouds;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == "--model" && i + 1 < words.size())
+      a.model = words[++i];
+    else if (words[i] == "--most" && i + 1 < words.size())
+      a.most = std::stoul(words[++i]);
+    else if (words[i] == "--rounds" && i + 1 < words.size())
+      a.trees.rounds = std::stoul(words[++i]);
+    else if (words[i] == "--check")
+      list = &a.checked;
+    else
+      list->push_back(words[i]);
+  }
+  if (a.clouds.empty() || a.model.empty())
+    throw std::runtime_error(
+        "usage: study_structures STREET.laz... --model FILE [--most N] [--rounds N] [--check STREET.laz...]");
+  return a;
+}
+
+void run(const Arguments& a) {
+  Samples samples;
+  std::string names;
+  for (const std::string& name : a.clouds) {
+    samples.add(cells_of_cloud(name), a.most);
+    names += " " + fs::path(name).filename().string();
+  }
+  const TreeSamples all{standing_features(), kStandingKinds, samples.rows, samples.kinds};
+  StructureModel model;
+  model.trees = boost_trees(all, a.trees);
+  model.recipe = fmt::format("study_structures{} --most {} --rounds {}\n{} cells\n", names, a.most, a.trees.rounds,
+                             samples.kinds.size());
+  write_whole_file(a.model, structure_model_text(model));
+  fmt::print("{}: {} cells, {} trees\n", a.model.string(), samples.kinds.size(), model.trees.trees());
+  check(model, a.checked);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const Arguments arguments = read_arguments({argv + 1, argv + argc});
+    with_threads(hardware_threads(), [&] { run(arguments); });
+    return 0;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "study_structures: {}\n", e.what());
+    return 1;
+  }
+}
