@@ -13,9 +13,9 @@
 namespace ilot {
 
 struct IndexParams {
-  double unit = 0.001;        // CRS units per lattice step
+  double unit = 0.001;               // CRS units per lattice step
   double finest_step = kFinestStep;  // metres; no lattice is finer
-  std::int64_t multiple = 1;  // of the finest steps of the inputs (InputLattice)
+  std::int64_t multiple = 1;         // of the finest steps of the inputs (InputLattice)
   IndexFilter filter;
   std::uint64_t block_points = 1u << 20;
   std::uint64_t run_points = 1u << 20;  // greatest size of one sorted run

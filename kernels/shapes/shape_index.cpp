@@ -85,12 +85,14 @@ void empty_ball(ShapeIndex& index, std::size_t ball) {
   }
 }
 
-// Morton codes from the box's corner, in units; where an edge of the box is longer than a code can tell (2^21 units, as a few
-// points far apart in fine units are), in the least power of two of units that a code can tell.
+// Morton codes from the box's corner, in units; where an edge of the box is longer than a code can tell (2^21 units, as
+// a few points far apart in fine units are), in the least power of two of units that a code can tell.
 std::vector<std::uint64_t> codes_in(const Box3<Vec3>& box, const Points& p, std::span<const std::uint32_t> kept) {
   const double longest = std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z, 1.0});
   const double steps = std::ldexp(1.0, std::min(0, kMortonBits - 1 - std::ilogb(longest)));
-  const auto step_of = [&](double value, double corner) { return static_cast<std::uint32_t>((value - corner) * steps); };
+  const auto step_of = [&](double value, double corner) {
+    return static_cast<std::uint32_t>((value - corner) * steps);
+  };
   std::vector<std::uint64_t> codes;
   codes.reserve(kept.size());
   for (const std::uint32_t k : kept)

@@ -23,17 +23,19 @@ struct ShapeIndex {
 
   std::vector<float> x, y, z, nx, ny, nz;  // whole leaves
   std::vector<std::uint32_t> index;        // per position: index of the caller's point
-  std::vector<std::uint64_t> code;         // per position: Morton code from the box's corner; its step is a unit in boxes below 2^21 units
-  std::vector<std::uint32_t> in_leaf;      // per leaf: points that are left
-  std::vector<std::uint64_t> changed;      // per leaf: the epoch since which its points have not changed
-  std::vector<std::vector<float>> balls;   // per level, groups of 8: x8 y8 z8 radius8
-  std::vector<Cone> cones;                 // per leaf
-  std::size_t size = 0;                    // number of positions, holes included
-  std::size_t left = 0;                    // number of points
-  std::uint64_t epoch = 1;                 // grows whenever points are removed
-  Vec3 centre;                             // of the box
-  double reach = 0;                        // half its diagonal
-  int first_level = 0, levels = 0;  // octree levels that are useful for sampling: cells of 2^(first_level + i) steps of the codes
+  std::vector<std::uint64_t>
+      code;  // per position: Morton code from the box's corner; its step is a unit in boxes below 2^21 units
+  std::vector<std::uint32_t> in_leaf;     // per leaf: points that are left
+  std::vector<std::uint64_t> changed;     // per leaf: the epoch since which its points have not changed
+  std::vector<std::vector<float>> balls;  // per level, groups of 8: x8 y8 z8 radius8
+  std::vector<Cone> cones;                // per leaf
+  std::size_t size = 0;                   // number of positions, holes included
+  std::size_t left = 0;                   // number of points
+  std::uint64_t epoch = 1;                // grows whenever points are removed
+  Vec3 centre;                            // of the box
+  double reach = 0;                       // half its diagonal
+  int first_level = 0,
+      levels = 0;  // octree levels that are useful for sampling: cells of 2^(first_level + i) steps of the codes
 
   bool is_hole(std::size_t i) const { return x[i] != x[i]; }
   Vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
@@ -46,9 +48,9 @@ struct ShapeIndex {
 };
 
 // Builds the index of the chosen points (indices) that have a normal. When there are no normals at all, it contains all
-// chosen points with normals of zero. These agree with a shape where min_cos is zero. Offsets are integers. The result does not depend on the order of the indices, except for points that
-// coincide. O(n). `epoch` (from 1) is that of the index and of all its leaves. An index that replaces another must
-// continue with the next epoch.
+// chosen points with normals of zero. These agree with a shape where min_cos is zero. Offsets are integers. The result
+// does not depend on the order of the indices, except for points that coincide. O(n). `epoch` (from 1) is that of the
+// index and of all its leaves. An index that replaces another must continue with the next epoch.
 ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::uint32_t> chosen,
                              std::uint64_t epoch = 1);
 
