@@ -126,7 +126,8 @@ void note_rounding(const InputLattice& lattice, const RunInputs& inputs, Progres
   for (const auto& reader : inputs.readers)
     for (const double scale : reader->info().layout.scale) finest = std::min(finest, scale);
   if (finest < 0.999 * lattice.finest())
-    progress.note("coordinates in finer steps than index.finest_step are rounded to it; points/ keeps them as they are");
+    progress.note(
+        "coordinates in finer steps than index.finest_step are rounded to it; points/ keeps them as they are");
 }
 
 void warn_of_strays(const IndexResult& index, Progress& progress, RunRecord& record) {
