@@ -35,7 +35,7 @@ TEST(TruthWriter, WritesTheSchemaWhateverTheOrderOfItems) {
   truth.add(TrueOpening{1, 5, 1, {{1, 0, 1}, {2, 0, 1}, {2, 0, 2}}});
   truth.add(TrueControlPoint{"window_top", 5, {1, 0, 2}});
   truth.add(TrueBuilding{1, "gable", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {1, 2}, 5, 8, 0});
-  truth.add(TrueObject{1, "car", "van", {0, 0, 0}, {0, 0, 1}, {4, 2, 2}, 30, {2}, 40});
+  truth.add(TrueObject{1, "van", "panel_van", "car", {0, 0, 0}, {0, 0, 1}, {4, 2, 2}, 30, {2}, 40});
   truth.add(TrueBlock{1, "left", {0, 0, 0}, {50, 0, 0}});
   truth.finish({{"points", 15}, {"planes", 2}});
 

@@ -178,7 +178,7 @@ TEST(RoofsProduct, ABuildingAloneIsThatOfTheWhole) {
 // The text of a building without the numbers that count buildings and planes of the run.
 std::string without_numbers(json feature) {
   for (auto& [id, object] : feature["CityObjects"].items()) {
-    object["attributes"].erase("unit_id");
+    for (const char* of_run : {"unit_id", "party_wall_m2", "exterior_wall_m2"}) object["attributes"].erase(of_run);
     for (json& geometry : object["geometry"]) {
       if (!geometry.contains("semantics")) continue;
       for (json& surface : geometry["semantics"]["surfaces"]) surface.erase("plane_id");

@@ -47,8 +47,15 @@ struct StreetScene {
   Image& of(CellMeasure m) { return measures[static_cast<std::size_t>(m)]; }
   void set(std::size_t i, CellMeasure m, Height v) { of(m).values[i] = v; }
   static Height deviations(double a, double b, double c) {
-    return static_cast<Height>(static_cast<int>(a * kDeviationSteps) | static_cast<int>(b * kDeviationSteps) << 10 |
-                               static_cast<int>(c * kDeviationSteps) << 20);
+    const auto steps = [](double sides) { return std::min(1023, static_cast<int>(sides * kDeviationSteps)); };
+    return static_cast<Height>(steps(a) | steps(b) << 10 | steps(c) << 20);
+  }
+  // Nothing is seen there.
+  void hide(const test::PixelBox& box) {
+    each(box, [&](std::size_t i) {
+      set(i, CellMeasure::top, kNoHeight);
+      for (const CellMeasure m : {CellMeasure::bins, CellMeasure::pixels}) set(i, m, 0);
+    });
   }
   // Upright from the ground up.
   void add_wall(const test::PixelBox& box, Height top) {
@@ -96,6 +103,7 @@ struct StreetScene {
 
 StreetScene busy_scene() {
   StreetScene scene;
+  scene.hide({0, 0, kCellsWide, 8});  // behind the wall
   scene.add_wall({5, 8, 60, 1}, 9000);
   scene.add_crown({20, 25, 12, 12}, 3500, 8000);
   scene.add_wall({50, 30, 1, 1}, 6000);   // a post
