@@ -19,7 +19,7 @@ from export_support import ROOT, must, npm_has, seen_in_ifc
 
 CRS = "EPSG:2154"  # that of scanned scenes
 READ = {".laz", ".copc.laz", ".gpkg", ".tif", ".png", ".pgw", ".dxf", ".json", ".jsonl", ".obj", ".mtl", ".stl", ".csv", ".svg", ".pdf",
-        ".html", ".gml", ".glb", ".ifc", ".ply"}
+        ".html", ".gml", ".glb", ".ifc", ".ply", ".subtree"}
 MESHES = """
 import json, pathlib, sys
 from ezdxf.addons import meshex
@@ -183,6 +183,17 @@ class Outputs(unittest.TestCase):
     def test_glb(self):
         done = subprocess.run(["node", ROOT / "tests/oracles/gltf_faults.mjs", *self.files(".glb")], capture_output=True, text=True)
         self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
+
+    def test_subtrees(self):
+        """Each file of subtrees and of models belongs to the tree of tiles, by a reader of the specification."""
+        root, = [path for path in self.files(".json") if path.name == "tileset.json"]
+        tileset = readers.read_tileset(root.parent)
+        self.assertEqual(tileset["subtrees"], {f"{p.parent.name}/{p.name}" for p in self.files(".subtree")})
+        tiles, models = [tileset["root"]], set()
+        for tile in tiles:
+            tiles += tile.get("children", [])
+            models |= {tile["content"]["uri"]} if "content" in tile else set()
+        self.assertEqual(models, {f"{p.parent.name}/{p.name}" for p in self.files(".glb") if root.parent in p.parents})
 
     def test_texts(self):
         """JSON, CSV, SVG, HTML by Python's own readers; PDF by poppler; PLY and CityJSON by readers of their specifications."""

@@ -72,9 +72,13 @@ std::string group_name(const std::string& name) {
   return "other";
 }
 
-bool has_groups_alone(std::span<const TrueObject> truth) {
-  return std::none_of(truth.begin(), truth.end(),
-                      [](const TrueObject& o) { return o.has_group || group_name(o.class_name) != o.class_name; });
+// Whether a truth has the four groups as its classes, as those of earlier versions. Classes that no product knows say
+// nothing.
+bool has_groups_alone(std::span<const TrueObject> truth, const ClassNames& known) {
+  return std::none_of(truth.begin(), truth.end(), [&](const TrueObject& o) {
+    const bool is_known = std::ranges::any_of(known, [&](const auto& k) { return k.second == o.class_name; });
+    return o.has_group || (is_known && group_name(o.class_name) != o.class_name);
+  });
 }
 
 // Returns the class that is right for a true class: `other` for those that the product does not know.
@@ -98,7 +102,7 @@ ObjectResult evaluate_objects(std::span<const TrueObject> truth, std::span<const
   ClassNames true_names, found_names = label_names;
   for (const auto& [name, number] : numbers) true_names[number] = name;
   found_names[kUnlabelled] = "unlabelled";
-  if (has_groups_alone(truth))
+  if (has_groups_alone(truth, label_names))
     for (auto& [label, name] : found_names)
       if (label != kUnlabelled) name = group_name(name);
   LabelPairs objects;

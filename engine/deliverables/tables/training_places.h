@@ -17,7 +17,7 @@ struct TrainingPlace {
 };
 
 // Reads the first layer with features of any vector file that GDAL reads. Its points or polygons have the text
-// attribute `class` (in any case): car, lamppost, pedestrian, other, vegetation, or none for a place without an object.
+// attribute `class` (in any case): a class of street objects, vegetation, or none for a place without an object.
 // Or reads the objects of a truth file (*.truth.json). Throws Error, with ExitCode::usage when the file is at fault.
 std::vector<TrainingPlace> read_training_places(const std::filesystem::path& path, const Crs& crs);
 

@@ -25,7 +25,8 @@ namespace {
 constexpr std::uint32_t kSide = 512;
 constexpr RasterUse kUse{"streets", "a larger streets.pixel, "};
 constexpr std::uint64_t kBytesDrawn = 16;      // bytes per pixel of a tile that is drawn
-constexpr std::uint64_t kBytesOfHeights = 40;  // the same with the sums of cells, which have two pixels at least
+constexpr std::uint64_t kBytesOfHeights = 16;  // the same with heights, counts and bins
+constexpr std::uint64_t kBytesOfSums = 124;    // sums of the points of a cell, and its measures
 // Choice: higher than cars and people, so that few of their points decide the form of a cell.
 constexpr double kLeastOfShape = 1.5;  // metres above the terrain
 // Choice: longer than the step between points on a wall, shorter than a person.
@@ -244,7 +245,9 @@ void StreetTiles::draw_heights(StreetView view) const {
   const Height clearance = raster().scale.units(kClearance), least = raster().scale.units(kLeastOfShape);
   const std::int64_t side = raster().pixel * cells_.factor;  // of a cell, in lattice units
   const auto bin = static_cast<Height>(std::max(1, raster().scale.units(kBinOfShape)));
-  const std::vector<std::uint64_t> bytes(raster().grid.count(), kBytesOfHeights * kSide * kSide + kBytesOfStretch);
+  const std::uint64_t of_cells = kBytesOfSums * kSide * kSide / (std::uint64_t{cells_.factor} * cells_.factor);
+  const std::vector<std::uint64_t> bytes(raster().grid.count(),
+                                         kBytesOfHeights * kSide * kSide + of_cells + kBytesOfStretch);
   run_tasks(raster().grid, bytes, [&](std::size_t tile) {
     const Image terrain = layer_tile(cells_.layers, "terrain", tile);
     Image clear = filled_image(kSide, kSide, kNoHeight), clear_points = filled_image(kSide, kSide, 0);

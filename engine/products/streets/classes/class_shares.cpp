@@ -32,7 +32,7 @@ std::vector<ClassShares> shares_of_machine(const ObjectModel& model, std::span<c
   return out;
 }
 
-// For each class the kernel to its nearest sample; 1 for a class of which the model has no samples.
+// For each class the kernel to its nearest sample; 1 where the model has no samples.
 std::vector<double> nearest_samples(const ObjectModel& model, const CandidateFeatures& features) {
   std::vector<double> nearest(model.classes.size(), model.vectors.empty() ? 1 : 0);
   const std::vector<double> row = standardised(model, features);

@@ -148,6 +148,7 @@ class ModelReader {
       return;
     }
     if (k < 2 || model_.features.empty() || model_.vectors.empty()) fail("ends before its vectors");
+    if (model_.weights.size() != model_.vectors.size()) fail("a line 'sample' stands in a machine");
     if (model_.rho.size() != k * (k - 1) / 2) fail("there must be a line 'pair' for each two classes");
   }
 

@@ -290,6 +290,13 @@ StandingRows standing_rows(const CellMeasures& around, const RasterScale& scale,
   }
   if (!any) return out;
   const Surroundings surroundings(m, tall);
+  std::size_t inside = 0;
+  for (std::size_t y = kStandingHalo; y + kStandingHalo < h; ++y)
+    inside += static_cast<std::size_t>(
+        std::count(tall.begin() + static_cast<std::ptrdiff_t>(y * w + kStandingHalo),
+                   tall.begin() + static_cast<std::ptrdiff_t>((y + 1) * w - kStandingHalo), 1));
+  out.cells.reserve(inside);
+  out.rows.reserve(inside * kFeatures);
   for (std::size_t y = kStandingHalo; y + kStandingHalo < h; ++y)
     for (std::size_t x = kStandingHalo; x + kStandingHalo < w; ++x) {
       const std::size_t i = y * w + x;

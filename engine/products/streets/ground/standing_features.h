@@ -40,7 +40,7 @@ std::size_t standing_features();
 std::string standing_feature_name(std::size_t feature);
 
 // The features of those cells of a tile whose top is at least `least` units: a row each, in the order of `cells`,
-// which are cells of the images with their halo. No feature depends on the number of points.
+// which are cells of the images with their halo. No feature is a number of points, but sparse clouds change them.
 struct StandingRows {
   std::vector<std::uint32_t> cells;
   std::vector<double> rows;

@@ -22,7 +22,10 @@ std::string take_line(const std::string& line, StructureModel& model) {
   std::istringstream words(line);
   std::string word, name;
   words >> word;
+  const bool started = model.trees.classes != 0;
+  if (word == "trees" && started) return "there are two lists of trees";
   if (word == "trees") return take_tree_start(words, kStandingKinds, model.trees);
+  if (!started) return "stands before the trees";
   if (word == "tree") return take_tree_nodes(words, model.trees);
   if (word != "column") return "there is no '" + word + "'";
   const std::size_t column = model.trees.limits.size();

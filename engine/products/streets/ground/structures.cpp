@@ -101,6 +101,17 @@ struct Building {
   std::int64_t side() const { return x1 < x0 ? 0 : std::max(x1 - x0, y1 - y0) + 1; }
 };
 
+// Whether a pixel is upright in one of the cells around cell i of images with their halo.
+bool near_upright(const CellMeasures& around, std::uint32_t i) {
+  constexpr std::uint32_t kReach = kStandingReaches[1];
+  const Image& upright = around[static_cast<std::size_t>(CellMeasure::upright)];
+  const std::uint32_t x = i % upright.width, y = i / upright.width;
+  for (std::uint32_t v = y - kReach; v <= y + kReach; ++v)
+    for (std::uint32_t u = x - kReach; u <= x + kReach; ++u)
+      if (const Height n = upright.values[std::size_t{v} * upright.width + u]; n != kNoHeight && n > 0) return true;
+  return false;
+}
+
 class StructureFinder {
  public:
   StructureFinder(const Cells& cells, StreetView view, const StructureParams& params)
@@ -146,8 +157,10 @@ class StructureFinder {
     Image out = filled_image(shape.width, shape.height, 0);
     for (std::size_t k = 0; k < kinds.size(); ++k) {
       const std::size_t i = cell_of_tile(around, rows.cells[k]);
-      out.values[i] =
-          static_cast<Height>(structure_of(kinds[k], static_cast<StandingForm>(shape.values[i]), top.values[i]));
+      Structure structure = structure_of(kinds[k], static_cast<StandingForm>(shape.values[i]), top.values[i]);
+      // In a sparse cloud no pixel of a wall is upright; where there is none nearby, nothing hangs over.
+      if (structure == Structure::overhang && !near_upright(around, rows.cells[k])) structure = Structure::wall;
+      out.values[i] = static_cast<Height>(structure);
     }
     return out;
   }

@@ -21,7 +21,8 @@ struct StructureParams {
 // (Structure).
 //  - From the street trees that were learnt say of each cell that is as high as a wall whether it is of a facade, a
 //    roof, a crown or an object (structure_model.h). A cell of a facade is a wall where it has upright pixels or is
-//    low, and else an overhang: what is high near a wall, as a balcony or an awning. Below it is the street.
+//    low, or where no pixel nearby is upright (a sparse cloud), and else an overhang: what is high near a wall, as a
+//    balcony or an awning. Below it is the street.
 //  - From the air a wall is what is upright, a roof is where cells on planes outnumber those of volumes around a cell,
 //    and a crown is where cells of volumes outnumber those on planes.
 //  - Walls and roofs that are connected are a building. What is smaller than a house, as a lorry, a kiosk or a shed, is
