@@ -91,9 +91,20 @@ Learnt samples_of(const FoundStreet& street, const std::vector<TrainingPlace>& p
   return learnt;
 }
 
+// A class with a single sample cannot be learnt. Returns the names of those that were left out.
+std::vector<std::string> leave_out_single(std::vector<TrainingSample>& samples) {
+  std::map<PointLabel, std::size_t> counts;
+  for (const TrainingSample& s : samples) ++counts[s.label];
+  std::erase_if(samples, [&](const TrainingSample& s) { return counts[s.label] == 1; });
+  std::vector<std::string> names;
+  for (const auto& [label, count] : counts)
+    if (count == 1) names.push_back(name_of(label));
+  return names;
+}
+
 ObjectModel learn(const FoundStreet& street, const StreetTraining& train, const Crs& crs, Progress& progress,
                   RunRecord& record) {
-  const Learnt learnt = samples_of(street, read_training_places(train.places, crs));
+  Learnt learnt = samples_of(street, read_training_places(train.places, crs));
   if (learnt.samples.empty())
     throw Error(fmt::format("{}: none of its {} places is on anything that stands on the ground of this cloud",
                             train.places.string(), learnt.places),
@@ -107,6 +118,9 @@ ObjectModel learn(const FoundStreet& street, const StreetTraining& train, const 
         "{}: {} of its {} places are on nothing that stands on the ground of this cloud, the first at "
         "{:.2f}, {:.2f}",
         train.places.string(), learnt.outside, learnt.places, learnt.first_outside.x, learnt.first_outside.y));
+  if (const auto single = leave_out_single(learnt.samples); !single.empty())
+    add_warning(fmt::format("{}: one object alone is too little to learn from: {} is left out", train.places.string(),
+                            fmt::join(single, ", ")));
   std::map<PointLabel, std::size_t> counts;
   for (const TrainingSample& s : learnt.samples) ++counts[s.label];
   std::vector<std::string> missing;
