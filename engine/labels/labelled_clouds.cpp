@@ -115,6 +115,7 @@ class Labeller {
     spec.like = reader_of_records(input_).info();
     spec.software = "ilot " + version();
     for (const AppendedField& f : fields_) spec.appended.push_back(f.field.field);
+    set_apart(spec.like, spec.appended);
     spec.waiting_bytes = affordable(context_.budget_bytes) / 2;  // the other half is for stretches
     if (is_in_memory(spec.like)) return copy(*create_npy(path, spec), Kept::all_rows);
     // Where classes change, the compressed fields of the input cannot be kept.

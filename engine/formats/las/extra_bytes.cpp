@@ -4,17 +4,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <set>
 
 namespace ilot {
 namespace {
 
 constexpr std::size_t kLargestOpaque = 255;
+constexpr std::size_t kNameAt = 4, kNameLength = 32;  // in a descriptor
 
 // A size of 0 means that the descriptor cannot be used.
 ExtraField parse_descriptor(const std::byte* p) {
   const auto type = load<std::uint8_t>(p + 2), options = load<std::uint8_t>(p + 3);
   ExtraField field;
-  field.name = text_at(p + 4, 32);
+  field.name = text_at(p + kNameAt, kNameLength);
   field.description = text_at(p + 160, 32);
   if (type == 0) {
     field.size = options;
@@ -38,7 +40,7 @@ void append_descriptor(const ExtraField& field, std::size_t size, std::vector<st
   store<std::uint8_t>(d + 2, static_cast<std::uint8_t>(field.type));
   store<std::uint8_t>(
       d + 3, static_cast<std::uint8_t>(field.type == FieldType::opaque ? size : (scaled ? 8 : 0) | (shifted ? 16 : 0)));
-  put_text(d + 4, field.name, 32);
+  put_text(d + kNameAt, field.name, kNameLength);
   if (scaled) store(d + 112, field.scale);
   if (shifted) store(d + 136, field.shift);
   put_text(d + 160, field.description, 32);
@@ -89,6 +91,31 @@ ExtraBytes parse_extra_bytes(const std::vector<Vlr>& vlrs, std::size_t standard_
     result.descriptors.insert(result.descriptors.end(), vlr.payload.begin(), vlr.payload.end());
   }
   return result;
+}
+
+void set_apart(CloudInfo& info, std::span<const ExtraField> ours) {
+  const auto is_ours = [&](const std::string& name) {
+    return std::ranges::any_of(ours, [&](const ExtraField& f) { return f.name == name; });
+  };
+  std::set<std::string> used;
+  for (const ExtraField& f : info.layout.extra) used.insert(f.name);
+  std::vector<std::string> names;  // of the fields that are renamed, in their order
+  for (ExtraField& f : info.layout.extra) {
+    if (!is_ours(f.name)) continue;
+    const std::string base = f.name + "_input";
+    std::string name = base;
+    for (int n = 2; is_ours(name) || !used.insert(name).second; ++n) name = base + std::to_string(n);
+    f.name = name;
+    names.push_back(name);
+  }
+  std::size_t next = 0;
+  for (Vlr& vlr : info.vlrs) {
+    if (!is_extra_bytes(vlr)) continue;
+    for (std::size_t at = 0; at + kDescriptorSize <= vlr.payload.size(); at += kDescriptorSize) {
+      std::byte* name = vlr.payload.data() + at + kNameAt;
+      if (next < names.size() && is_ours(text_at(name, kNameLength))) put_text(name, names[next++], kNameLength);
+    }
+  }
 }
 
 std::vector<std::byte> describe(std::span<const ExtraField> fields) {

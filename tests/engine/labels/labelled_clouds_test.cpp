@@ -13,6 +13,8 @@
 namespace ilot {
 namespace {
 
+namespace fs = std::filesystem;
+
 using test::CloudStore;
 
 std::uint32_t plane_of(InputOrder order) {
@@ -140,6 +142,37 @@ TEST(LabelledClouds, CompressedInputsGiveTheSameRows) {
   EXPECT_EQ(outputs[0].length, standard_size(7) + 21);
   EXPECT_EQ(outputs[0].count, points.size());
   EXPECT_TRUE(outputs[0].bytes == outputs[1].bytes);
+}
+
+// A cloud that has labels already, as that of an earlier run: its fields keep their values under names of their own.
+TEST(LabelledClouds, FieldsOfTheInputWithOurNamesAreSetApart) {
+  const TemporaryFolder folder;
+  test::write_cloud(folder.path() / "c.laz", test::points_over_tiles(500, 2));
+  fs::path input = folder.path() / "c.laz";
+  std::vector<std::string> names;
+  for (const char* out : {"first", "second", "third"}) {
+    fs::create_directories(folder.path() / out);
+    fs::copy_file(input, folder.path() / out / "c.laz");
+    const test::FilesStore files(folder.path() / out, {"c.laz"}, 900);
+    write_labels(*files.cloud);
+    const std::vector<ProductLabels> labels{plane_labels({{0, 1, 2, 3, 4}, level_planes(), true})};
+    rows_pass(*files.cloud, labels, {});
+    write_labelled_clouds(*files.cloud, files.inputs, labels, folder.path() / out / "points", {});
+    const Rows was = read_rows(*files.inputs[0]);
+    input = folder.path() / out / "points" / "c.laz";
+    const auto cloud = open_cloud(input);
+    const Rows is = read_rows(*cloud);
+    ASSERT_EQ(is.count, was.count);
+    for (std::size_t i = 0; i < is.count; ++i)
+      ASSERT_TRUE(std::equal(was.bytes.begin() + static_cast<std::ptrdiff_t>(i * was.length),
+                             was.bytes.begin() + static_cast<std::ptrdiff_t>((i + 1) * was.length),
+                             is.bytes.begin() + static_cast<std::ptrdiff_t>(i * is.length)));
+    names.clear();
+    for (const ExtraField& field : cloud->info().layout.extra) names.push_back(field.name);
+    EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size()) << "no name is there twice";
+  }
+  for (const char* name : {"plane_id", "plane_id_input", "plane_id_input2"})
+    EXPECT_TRUE(std::ranges::find(names, name) != names.end()) << name;
 }
 
 // Points of the classes 0 and 1 get the class of their label, whatever the format; other classes and all other bytes
