@@ -2,6 +2,7 @@
 #include "engine/scale/cell_part.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "engine/columns/normals_pass.h"
@@ -12,7 +13,8 @@
 namespace ilot {
 
 std::int64_t halo_of_cells(const Settings& settings, double unit_metres) {
-  const Cell largest{{{}, kTileBits - static_cast<int>(std::log2(largest_cell(unit_metres))), 0}, 0, {}};
+  const int bits = std::bit_width(static_cast<std::uint64_t>(largest_cell(unit_metres))) - 1;
+  const Cell largest{{{}, kTileBits - bits, 0}, 0, {}};
   return margin_of(largest) + static_cast<std::int64_t>(std::ceil(settings.normals.max_radius / unit_metres)) + 2;
 }
 
