@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 bool is_product(const fs::path& relative) {
   const std::string top = relative.begin()->string();
-  return top != "run.json" && top != kReportFile && top != kReportTiles && !top.starts_with(".");
+  return !top.starts_with("run.json") && top != kReportFile && top != kReportTiles && !top.starts_with(".");
 }
 
 }  // namespace

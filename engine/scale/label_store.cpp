@@ -34,26 +34,38 @@ void remove_what_no_label_needs(const fs::path& folder) {
   for (const fs::path& path : needless) fs::remove_all(path);
 }
 
+nlohmann::json head_of(const fs::path& folder) {
+  std::ifstream file(folder / kHead);
+  return nlohmann::json::parse(file, nullptr, false);
+}
+
 }  // namespace
 
-void keep_labels(const Store& store, std::span<const ProductLabels> labels, const LabelledPlanes& planes,
-                 const Plan& plan, const fs::path& plan_folder, const PassContext& context) {
+void prepare_labels(const Store& store, std::span<const ProductLabels> labels, const LabelledPlanes& planes,
+                    const PassContext& context) {
   rows_pass(store, labels, context);
-  const fs::path folder = store.folder(), kept = plan_folder / kLabelsFolder;
+  const fs::path folder = store.folder();
   remove_what_no_label_needs(folder);
   write_column<Block>(folder / kBlocks, store.blocks());
   write_column<JoinedPlane>(folder / kPlanes, planes.planes);
-  const nlohmann::json head{{"plan", plan.hash}, {"shapes", planes.shapes}};
+  write_whole_file(folder / kHead, nlohmann::json{{"shapes", planes.shapes}}.dump() + "\n");
+}
+
+void publish_labels(const fs::path& folder, const Plan& plan, const fs::path& plan_folder,
+                    const std::string& result_hash) {
+  nlohmann::json head = head_of(folder);
+  head["plan"] = plan.hash;
+  head["result"] = result_hash;
   write_whole_file(folder / kHead, head.dump() + "\n");
+  const fs::path kept = plan_folder / kLabelsFolder;
   fs::remove_all(kept);
   fs::rename(folder, kept);
 }
 
 KeptLabels open_labels(const Plan& plan, const fs::path& plan_folder, const IndexBox& box) {
   const fs::path folder = plan_folder / kLabelsFolder;
-  std::ifstream file(folder / kHead);
-  const nlohmann::json head = nlohmann::json::parse(file, nullptr, false);
-  if (!file || !head.is_object() || head.value("plan", "") != plan.hash)
+  const nlohmann::json head = head_of(folder);
+  if (!head.is_object() || head.value("plan", "") != plan.hash)
     throw Error(folder.string() + ": no merge of this plan has left labels there; run ilot merge with --labels first",
                 ExitCode::usage);
   std::vector<Block> blocks = read_column<Block>(folder / kBlocks);
@@ -64,7 +76,7 @@ KeptLabels open_labels(const Plan& plan, const fs::path& plan_folder, const Inde
   if (head.value("shapes", false)) params.final_shape = {0};  // the field is there; rows have the ids already
   std::vector<ProductLabels> labels;
   labels.push_back(plane_labels(std::move(params)));
-  return {Store(folder, plan.lattice.unit, std::move(blocks)), std::move(labels)};
+  return {Store(folder, plan.lattice.unit, std::move(blocks)), std::move(labels), head.value("result", "")};
 }
 
 }  // namespace ilot

@@ -20,15 +20,20 @@ struct LabelledPlanes {
   bool shapes = false;              // clouds have the field shape_id
 };
 
-// Sorts the labels of a store by input row, and turns its folder into PLAN/labels: what no label needs is removed.
-// Labels of an earlier merge are replaced.
-void keep_labels(const Store& store, std::span<const ProductLabels> labels, const LabelledPlanes& planes,
-                 const Plan& plan, const std::filesystem::path& plan_folder, const PassContext& context);
+// Sorts the labels of a store by input row, and removes from its folder what no label needs.
+void prepare_labels(const Store& store, std::span<const ProductLabels> labels, const LabelledPlanes& planes,
+                    const PassContext& context);
+
+// Turns such a folder into PLAN/labels, once the result that the labels belong to is there. Labels of an earlier merge
+// are replaced.
+void publish_labels(const std::filesystem::path& folder, const Plan& plan, const std::filesystem::path& plan_folder,
+                    const std::string& result_hash);
 
 // The labels of PLAN/labels near a box. Throws Error with ExitCode::usage where a merge has left none of this plan.
 struct KeptLabels {
   Store store;
   std::vector<ProductLabels> labels;
+  std::string result_hash;  // of the result of the merge that left them
 };
 KeptLabels open_labels(const Plan& plan, const std::filesystem::path& plan_folder, const IndexBox& box);
 

@@ -63,6 +63,9 @@ void check_products(const RunOptions& run) {
     throw Error("--products: a plan makes one product; make one plan for roofs and one for planes", ExitCode::usage);
   if (run.settings.roofs.dtm)
     throw Error("roofs.dtm: a plan makes no terrain model; make it with ilot run", ExitCode::usage);
+  if (run.settings.classes.write)
+    throw Error("classes.write: neither roofs nor planes of a plan give classes to clouds; leave it out",
+                ExitCode::usage);
   if (run.products[0] != "planes") return;
   if (!run.footprints.empty())
     throw Error("--footprints " + run.footprints.string() + ": only the product roofs reads it; leave it out",

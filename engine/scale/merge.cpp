@@ -23,6 +23,7 @@
 #include "engine/run/folder_lock.h"
 #include "engine/run/inputs/input_crs.h"
 #include "engine/run/result_swap.h"
+#include "engine/scale/label_store.h"
 #include "engine/scale/merge_planes.h"
 #include "engine/scale/part_file.h"
 #include "engine/scale/plan.h"
@@ -238,6 +239,7 @@ int merge_in_arena(const MergeOptions& options, Progress& progress) {
   record.peak_rss_bytes = peak_resident_bytes();
   write_run_json(record, staging);
   swap_result(out, {});
+  if (beside) publish_labels(beside->path() / "store", plan, options.plan, record.result_hash);
   std::string text =
       made(plan, record) + " of " + counted(areas.size(), "part") + ": " + (out / main_file(plan)).string();
   if (!missing.empty()) text += ", " + counted(missing.size(), "area is", "areas are") + " missing";

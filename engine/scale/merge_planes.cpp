@@ -59,8 +59,10 @@ void merge_planes(const MergeOptions& options, const Plan& plan, const std::vect
   record.points.labelled = count_labelled(store, labels, context);
   record.points.unlabelled = record.points.read - record.points.rejected_total() - record.points.labelled;
   record.blocks = store.blocks().size();
-  if (options.labels) keep_labels(store, labels, planes, plan, options.plan, context);
-  fs::remove_all(folder);
+  if (options.labels)
+    prepare_labels(store, labels, planes, context);
+  else
+    fs::remove_all(folder);
 }
 
 }  // namespace ilot

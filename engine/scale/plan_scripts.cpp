@@ -22,7 +22,7 @@ OUT ?= out
 PLAN := @PLAN@
 $(OUT)/run.json: $(patsubst %,$(PLAN)/parts/%,$(shell seq 1 @N@))
 @R@	$(ILOT) merge $(PLAN) -o $(OUT) || test $$? -eq 3
-@C@	$(ILOT) merge $(PLAN) -o $(OUT) $(if $(filter clouds,$(MAKECMDGOALS)),--labels) || test $$? -eq 3
+@C@	$(ILOT) merge $(PLAN) -o $(OUT) --labels || test $$? -eq 3
 @C@clouds: $(patsubst %,label-%,$(shell seq 1 @I@))
 @C@label-%: $(OUT)/run.json
 @C@	for try in 1 2 3; do $(ILOT) task $(PLAN) label $* -o $(OUT) --threads 1 -q; code=$$?; \
@@ -57,7 +57,7 @@ rule merge:
 @C@rule clouds:
 @C@    input: expand(OUT + ".labelled/{n}", n=range(1, @I@ + 1))
 @C@rule label:
-@C@    input: OUT + "/run.json"
+@C@    input: ancient(OUT + "/run.json")
 @C@    output: touch(OUT + ".labelled/{n}")
 @C@    shell: "{ILOT} task {PLAN} label {wildcards.n} -o {OUT} --threads 1 -q"
 rule task:

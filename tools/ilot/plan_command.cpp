@@ -110,6 +110,8 @@ int task_command(const TaskArguments& given) {
   if (label == given.output.empty())
     throw Error("task: -o OUT belongs to label N, which writes a cloud to OUT/points (ilot task --help)",
                 ExitCode::usage);
+  if (label && !given.work.empty())
+    throw Error("task: --work is for areas; label N writes beside its cloud, in OUT", ExitCode::usage);
   ConsoleProgress progress(given.quiet ? Verbosity::quiet : Verbosity::normal, "");
   return run_task({.plan = given.plan,
                    .number = number_of(given.what.back()),

@@ -86,7 +86,9 @@ class TerrainRaster {
     const TileSheets sheets(raster(), folder, crs);
     sheets.write({"dtm", RasterValue::real, kNone, [&](std::size_t tile) { return heights(tile); }});
     sheets.write({"dtm_points", RasterValue::whole, 0, [&](std::size_t tile) {
-                    const Image counts = layer_tile(layers(), "points", tile);
+                    Image counts = layer_tile(layers(), "points", tile);
+                    for (std::size_t i = 0; i < counts.size(); ++i)
+                      if (!wanted(tile, i)) counts.values[i] = 0;
                     return std::vector<float>(counts.values.begin(), counts.values.end());
                   }});
   }

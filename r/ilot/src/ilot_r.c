@@ -186,7 +186,11 @@ static void wait_for(run_state* state, int verbose) {
     const int news = strcmp(shown, state->stage) != 0;
     strcpy(shown, state->stage);
     pthread_mutex_unlock(&state->mutex);
-    if (news && verbose) R_ToplevelExec(print_line, shown);
+    if (news && verbose && !R_ToplevelExec(print_line, shown)) {
+      pthread_mutex_lock(&state->mutex);
+      state->stop = 1;
+      pthread_mutex_unlock(&state->mutex);
+    }
   }
 }
 

@@ -16,6 +16,8 @@ namespace {
 constexpr double kAlong = 0.985;  // cosine of the greatest angle between the two outlines
 // Choice: half of the least height of an eave over the floor (roof_solid.cpp); only outer walls go down so far.
 constexpr double kOnFloor = 0.05;  // metres
+// Derived: roofs.margin, within which points beside an outline are gathered, is at most that.
+constexpr double kFarthest = 5;  // metres from a wall
 // Choice: a metre of wall has points at one point a square metre, the least density for roofs.
 constexpr double kStretch = 1;  // metres of wall for which the neighbour's height is one value
 
@@ -112,8 +114,8 @@ double party_area(const OuterWall& w, const Span& span, std::span<const Vec3> be
   std::vector<std::vector<double>> heights(stretches);
   std::vector<double> all;
   for (const Vec3& p : beside) {
-    const double t = w.along(p.x, p.y);
-    if (t < span.from || t >= span.to || w.outside(p.x, p.y) < -kSameWall) continue;
+    const double t = w.along(p.x, p.y), out = w.outside(p.x, p.y);
+    if (t < span.from || t >= span.to || out < -kSameWall || out > kFarthest) continue;
     heights[std::min(stretches - 1, static_cast<std::size_t>((t - span.from) / width))].push_back(p.z);
     all.push_back(p.z);
   }
