@@ -134,6 +134,13 @@ class PlanOfPlanes(PlanesTest):
         self.assertEqual([p.name for p in out.iterdir() if p.name.startswith(".")], [])
         for key in ("result_hash", "results", "inputs", "counts"):
             self.assertEqual(record[key], one[key], key)
+        (plan / f"parts/{what['areas'][0]['area']}").unlink()
+        holes = self.folder / "holes"  # a merge without labels: those that are there belong to the one before
+        self.assertEqual(ilot("merge", plan, "-o", holes, "--allow-missing").returncode, 3)
+        refused = self.label(plan, 1, holes)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("has not the result of the last merge", refused.stderr)
+        self.assertFalse((holes / "points").exists())
 
     def test_tasks_that_fail(self):
         inputs = self.quarters(self.district(200_000))

@@ -29,8 +29,8 @@ ExtraBytes parse_extra_bytes(const std::vector<Vlr>& vlrs, std::size_t standard_
 // Returns one descriptor for each field (several for opaque fields above 255 bytes), ready to be a payload.
 std::vector<std::byte> describe(std::span<const ExtraField> fields);
 
-// Gives each field of a cloud that has the name of one of `ours` the name NAME_input (NAME_input2 where that is taken too),
-// in its layout and in its records.
+// Gives each field of a cloud that has the name of one of `ours` the name NAME_input (NAME_input2 where that is taken
+// too), in its layout and in its records.
 void set_apart(CloudInfo& info, std::span<const ExtraField> ours);
 
 // Returns the number of bytes of a field type; 0 for opaque.
