@@ -62,19 +62,14 @@ ClassNames found_class_names(const ClassNames& truth) {
   return names;
 }
 
-// The names of labels where things of a street have one of four groups: the truth of a facade knows no finer ones.
-ClassNames group_names() {
-  ClassNames names = point_label_names();
-  for (auto& [value, name] : names) name = label_name(group_of(static_cast<PointLabel>(value)));
-  return names;
-}
-
 void evaluate_classes(const LabelCounts& counts, const Truth& truth, Evaluation& evaluation) {
   if (!counts.has_true_class) return;
   const ClassNames names = class_names(counts, truth);
+  // The truth of a facade knows no class of street objects.
   if (counts.any_label && !counts.facade_labels.sorted().empty()) {
     evaluation.class_source = ClassSource::facade_labels;
-    evaluation.confusion = confusion_of_labels(counts.facade_labels.sorted(), point_label_names(), group_names());
+    evaluation.confusion =
+        confusion_of_labels(counts.facade_labels.sorted(), point_label_names(), found_class_names({}));
   } else if (counts.any_label) {
     evaluation.class_source = ClassSource::labels;
     evaluation.confusion = confusion_of_labels(counts.class_labels.sorted(), names, found_class_names(names));

@@ -7,13 +7,14 @@
 #include "engine/formats/reader.h"
 #include "engine/store/sorted_run.h"
 #include "engine/store/strays.h"
+#include "ilot/settings.h"
 
 namespace ilot {
 
 // Derived: rounding to it has a standard deviation of 0.03 mm, a thirtieth of the noise of the best scanners of
 // buildings (1 mm). A cell of the lattice is at most 2^21 steps long (210 m); of 0.01 mm it was 21 m, less than planes
 // of sparse clouds need.
-constexpr double kFinestStep = 1e-4;  // metres
+constexpr double kFinestStep = IndexSettings{}.finest_step;  // metres
 
 // Returns the finest scale of the inputs times the greatest whole number of which all coordinates are multiples. So a
 // file that is written in steps of 1e-5, but whose coordinates are whole millimetres, has the same lattice as one
