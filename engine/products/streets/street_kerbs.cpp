@@ -93,6 +93,10 @@ class KerbFinder {
 
   Window window_of(const std::vector<GroundPixel>& pixels, std::uint32_t side) const {
     Window window{{0}, {}, {}};
+    const auto seen = static_cast<std::size_t>(
+        std::count_if(pixels.begin(), pixels.end(), [](const GroundPixel& p) { return p.points != 0; }));
+    window.column.reserve(seen);
+    window.mean.reserve(seen);
     for (std::uint32_t row = 0; row < side; ++row) {
       for (std::uint32_t column = 0; column < side; ++column) {
         const GroundPixel& p = pixels[std::size_t{row} * side + column];

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 24;
 constexpr std::size_t kCachedTiles = 4;  // in Morton order, points around a common corner alternate between four tiles
-constexpr std::uint64_t kBytesOfTiles = (kCachedTiles * 3 + 1) << 20;
+constexpr std::uint64_t kBytesOfPixel = 16;  // of a cached tile: its layers, the mask while it is loaded
 // Derived: a roof of 60 degrees falls by so much over the diagonal of a pixel. Steeper ones are walls.
 constexpr double kFallOfRoof = 2.45;  // pixels
 constexpr std::uint32_t kFacade = 0xffffffffu, kRoof = kFacade - 1;
@@ -64,7 +64,10 @@ class Verdict {
     if (cached_[0].contains(p, units_)) return cached_[0];
     std::size_t i = 1;
     while (i + 1 < kCachedTiles && !cached_[i].contains(p, units_)) ++i;
-    if (!cached_[i].contains(p, units_)) cached_[i] = loaded(tiles_.raster().tile_over(p));
+    if (!cached_[i].contains(p, units_)) {
+      cached_[i] = {};  // before the next is loaded: there are never more than kCachedTiles
+      cached_[i] = loaded(tiles_.raster().tile_over(p));
+    }
     std::rotate(cached_, cached_ + i, cached_ + i + 1);
     return cached_[0];
   }
@@ -100,8 +103,9 @@ class Verdict {
 
 void write_street_labels(const Store& store, const StreetTiles& tiles, const ObjectLabels& candidates,
                          double least_height, const PassContext& context) {
+  const std::uint64_t side = tiles.raster().grid.side, of_tiles = kCachedTiles * side * side * kBytesOfPixel;
   std::vector<std::uint64_t> bytes;
-  for (const Block& b : store.blocks()) bytes.push_back(b.points * kBytesPerPoint + kBytesOfTiles);
+  for (const Block& b : store.blocks()) bytes.push_back(b.points * kBytesPerPoint + of_tiles);
   run_tasks(tiles.raster().grid, bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
     const auto codes = store.read(block, columns::kCodes);
