@@ -37,7 +37,7 @@ void set_classes(std::span<const ProductLabels> products, std::size_t count, Str
       rows.labelled[i] |= given[i].labelled;
       if (decided[i] != 0 || (!given[i].decides && rows.classes[i] != PointLabel::none)) continue;
       rows.classes[i] = given[i].label;
-      decided[i] = given[i].decides;
+      decided[i] = given[i].decides && given[i].label != PointLabel::none;
     }
   }
   for (std::size_t i = 0; i < count; ++i) rows.labelled[i] |= rows.classes[i] != PointLabel::none;

@@ -43,8 +43,8 @@ struct LabelField {
   std::function<void(std::span<const std::byte> labels, const LabelledRows& rows, FieldOutput to)> write;
 };
 
-// The class that a product gives to a point. The first product that decides gives the field `label`; where none does,
-// the first that has a class at all.
+// The class that a product gives to a point. The first product that decides and has a class gives the field `label`.
+// Where none does, it is the first class that was given behind the last product that decides for no class.
 struct PointClass {
   PointLabel label = PointLabel::none;
   bool decides = false;

@@ -243,7 +243,8 @@ TEST(LabelledClouds, RowsThatNeverEnteredTheStoreStayWithoutLabel) {
 }
 
 // The class of a building counts before that of a facade, and that before that of a street. What a building says of
-// points that are not its own counts last.
+// points that are not its own counts last. A point of a building that is on none of its faces has the class that the
+// next product gives.
 TEST(LabelledClouds, ClassesCountInTheOrderOfTheProducts) {
   struct Case {
     RoofLabel roof;
@@ -258,7 +259,10 @@ TEST(LabelledClouds, ClassesCountInTheOrderOfTheProducts) {
       {{0, 0, PointLabel::vegetation}, {}, {5, PointLabel::car}, PointLabel::car, true},
       {{0, 0, PointLabel::vegetation}, {}, {}, PointLabel::vegetation, true},
       {{0, 0, PointLabel::vegetation}, {0, 3, PointLabel::none}, {}, PointLabel::none, false},
-      {{1, 0, PointLabel::none}, {}, {5, PointLabel::car}, PointLabel::none, true},
+      {{1, 0, PointLabel::none}, {}, {5, PointLabel::car}, PointLabel::car, true},
+      {{1, 0, PointLabel::none}, {2, 3, PointLabel::facade}, {5, PointLabel::car}, PointLabel::facade, true},
+      {{1, 0, PointLabel::none}, {}, {}, PointLabel::none, true},
+      {{0, 0, PointLabel::vegetation}, {0, 3, PointLabel::none}, {0, PointLabel::facade}, PointLabel::facade, true},
       {{}, {}, {5, PointLabel::none}, PointLabel::none, true},
       {{}, {}, {}, PointLabel::none, false}};
   std::vector<Index3> points;
