@@ -130,7 +130,7 @@ Json facade_json(const Facade& f) {
 
 Json object_json(const StreetObject& o) {
   return {{"id", o.id},
-          {"label", label_name(o.label)},
+          {"label", o.class_name},
           {"probability", o.probability},
           {"base", json_of(o.base)},
           {"middle", json_of(o.middle)},

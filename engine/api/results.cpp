@@ -88,7 +88,7 @@ StreetPlan read_streets(const fs::path& run_folder) {
 }
 
 std::string label_name(PointLabel label) {
-  return label == PointLabel::none ? "none" : point_label_names().at(static_cast<std::uint32_t>(label));
+  return class_name_of(label, {});
 }
 
 }  // namespace ilot

@@ -216,11 +216,10 @@ void evaluate_roof_models(const ResultFiles& files, const Truth& truth, double m
 ProbabilityEvaluation evaluate_probabilities(const fs::path& file, const std::map<std::uint32_t, bool>& right) {
   std::vector<JudgedProbability> all;
   std::map<std::string, std::vector<JudgedProbability>> by_class;
-  const ClassNames& names = point_label_names();
   for (const StreetObject& object : read_objects_gpkg(file)) {
     const auto known = right.find(object.id);
     all.push_back({object.probability, known != right.end() && known->second});
-    by_class[names.at(static_cast<std::uint32_t>(object.label))].push_back(all.back());
+    by_class[object.class_name].push_back(all.back());
   }
   ProbabilityEvaluation result{reliability(all), {}};
   for (const auto& [name, statements] : by_class) result.by_class[name] = reliability(statements);

@@ -4,11 +4,12 @@
 #include <array>
 #include <cstdint>
 
-#include "ilot/cloud_info.h"
+#include "engine/model/point_label.h"
 
 namespace ilot {
 
-// Red, green, blue. Labels that are no class of objects have the colour of `other`.
+// Red, green, blue. A class of one's own has one of the colours, in turn. Labels that are no class of objects have that
+// of `other`.
 inline std::array<std::uint8_t, 3> object_colour(PointLabel label) {
   constexpr std::array<std::array<std::uint8_t, 3>, 13> kColours{{{43, 108, 176},
                                                                   {230, 159, 0},
@@ -24,6 +25,7 @@ inline std::array<std::uint8_t, 3> object_colour(PointLabel label) {
                                                                   {112, 114, 122},
                                                                   {176, 160, 40}}};  // from `car` to `cabinet`
   const auto first = static_cast<std::size_t>(PointLabel::car), place = static_cast<std::size_t>(label);
+  if (is_own_class(label)) return kColours[(place - kFirstOwnLabel) % kColours.size()];
   if (place < first || place - first >= kColours.size())
     return kColours[static_cast<std::size_t>(PointLabel::other) - first];
   return kColours[place - first];

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The labels that the products give to a point: the extra bytes `label` (docs/outputs.md).
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "ilot/cloud_info.h"
 
@@ -19,10 +21,31 @@ inline const std::map<std::uint32_t, std::string>& point_label_names() {
   return names;
 }
 
+// The labels from here on are classes of objects that a training brought along (--train), in the order of their names.
+constexpr std::uint32_t kFirstOwnLabel = 100;
+constexpr std::size_t kMostOwnClasses = 256 - kFirstOwnLabel;
+using OwnClasses = std::vector<std::string>;  // ascending; the label of own[i] is kFirstOwnLabel + i
+
+inline bool is_own_class(PointLabel label) {
+  return static_cast<std::uint32_t>(label) >= kFirstOwnLabel;
+}
+inline PointLabel own_class(std::size_t i) {
+  return static_cast<PointLabel>(kFirstOwnLabel + i);
+}
+
+// The name of any label. "own N" where `own` does not know it.
+inline std::string class_name_of(PointLabel label, const OwnClasses& own) {
+  const auto value = static_cast<std::uint32_t>(label);
+  if (label == PointLabel::none) return "none";
+  if (!is_own_class(label)) return point_label_names().at(value);
+  return value - kFirstOwnLabel < own.size() ? own[value - kFirstOwnLabel] : "own " + std::to_string(value);
+}
+
 // True for the classes of objects that stand on a street: all labels from `car` on. A new class is the last one, with a
 // name above.
 inline bool is_street_object(PointLabel label) {
-  return label >= PointLabel::car && point_label_names().contains(static_cast<std::uint32_t>(label));
+  return label >= PointLabel::car &&
+         (is_own_class(label) || point_label_names().contains(static_cast<std::uint32_t>(label)));
 }
 
 // The four classes of Hernandez and Marcotegui (2008): car, lamppost, pedestrian, and other for all other objects. A

@@ -110,6 +110,14 @@ Json results_json(const RunRecord& record) {
   return list;
 }
 
+Json training_json(const RunRecord& record) {
+  Json list = Json::array();
+  for (const TrainedClass& c : record.training)
+    list.push_back(
+        {{"class", c.name}, {"label", c.label}, {"samples", c.samples}, {"judged", c.judged}, {"right", c.right}});
+  return list;
+}
+
 Json chosen_json(const RunRecord& record) {
   Json list = Json::array();
   for (const ChosenRecord& c : record.chosen) {
@@ -136,6 +144,7 @@ std::string run_json(const RunRecord& record) {
   json["parameters"] = Json::parse(settings_json(record.settings));
   json["parameters_hash"] = fmt::format("{:016x}", settings_hash(record.settings));
   json["chosen"] = chosen_json(record);
+  if (!record.training.empty()) json["training"] = training_json(record);
   json["threads"] = record.threads;
   json["memory_bytes"] = record.memory_bytes;
   json["inputs"] = inputs_json(record);

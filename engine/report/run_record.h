@@ -108,6 +108,13 @@ struct CrsRecord {
   std::string wkt;  // where no one code says it, as for plan and heights from two; else empty
 };
 
+// What --train learnt. judged and right: samples whose class was told by a model of the other folds.
+struct TrainedClass {
+  std::string name;
+  std::uint32_t label = 0;  // of points; from 100 on one's own
+  std::uint64_t samples = 0, judged = 0, right = 0;
+};
+
 struct RunRecord {
   ExitCode exit = ExitCode::ok;
   Settings settings;
@@ -132,6 +139,7 @@ struct RunRecord {
   std::optional<EditsRecord> edits;  // none: no edits were given
   std::vector<SkippedRecord> skipped;
   std::vector<ChosenRecord> chosen;
+  std::vector<TrainedClass> training;  // empty: nothing was trained
   std::vector<std::string> warnings;
   bool unit_assumed = false;
   std::string request;                // what was asked for, JSON (run_request); empty = not recorded

@@ -79,7 +79,7 @@ struct CloudSuitability {
 
 // What the products say of a point: the extra byte `label` of the clouds that a run writes (docs/outputs.md).
 enum class PointLabel : std::uint8_t {
-  none = 0,
+  none = 0,  // values from 100 on are classes of one's own (--train), in the order of their names
   ground = 1,
   roof = 2,
   wall = 3,
@@ -104,7 +104,7 @@ enum class PointLabel : std::uint8_t {
   cabinet = 22,  // and other closed boxes: meter, letter box, charging post
 };
 
-// "none", "ground", "car" ...: the name of the enumerator, as files have it.
+// "none", "ground", "car" ...: the name of the enumerator, as files have it; "own 100" for one's own.
 std::string label_name(PointLabel label);
 
 }  // namespace ilot

@@ -7,6 +7,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "ilot/cloud_info.h"
@@ -18,6 +19,7 @@ namespace ilot {
 struct StreetObject {
   std::uint32_t id = 0;  // from 1
   PointLabel label = PointLabel::other;
+  std::string class_name;  // of the label; a class of one's own where the run was trained with one (--train)
   double probability = 0;  // of that class
   Vec3 base;               // on the ground
   Vec3 middle;             // of its extent, on the ground

@@ -113,7 +113,9 @@ class Facade:
 @dataclasses.dataclass(frozen=True)
 class StreetObject:
     id: int
-    label: str  # car, van, two_wheeler, pedestrian, lamppost, sign, bollard, bin, bench, planter, fence, cabinet, other
+    # car, van, two_wheeler, pedestrian, lamppost, sign, bollard, bin, bench, planter, fence, cabinet, other, or a class
+    # of one's own (train)
+    label: str
     probability: float  # of that class
     base: Place  # on the ground
     middle: Place  # of its extent, on the ground

@@ -136,7 +136,7 @@ py::list facades_python(const std::filesystem::path& folder) {
 py::dict object_of(const StreetObject& o) {
   py::dict one;
   one["id"] = o.id;
-  one["label"] = label_name(o.label);
+  one["label"] = o.class_name;
   one["probability"] = o.probability;
   one["base"] = tuple_of(o.base);
   one["middle"] = tuple_of(o.middle);

@@ -168,7 +168,9 @@ void add_work_options(CLI::App& command, RunArguments& given) {
   command.add_option("--stations", given.stations, "where scanners stood and how they turned, text [as inputs say]")
       ->option_text("FILE");
   command
-      .add_option("--train", given.train, "what objects on streets are, any vector file or truth, for streets [none]")
+      .add_option(
+          "--train", given.train,
+          "objects of streets with their class, any names, vector file, truth or objects.model, for streets [none]")
       ->option_text("FILE");
   command.add_option("--edits", given.edits, "corrections by hand, a table (CSV); repeatable [none]")
       ->allow_extra_args(false)

@@ -93,14 +93,11 @@ TileModel tile_model(const BuildingModel& building, const Building& solid, const
 
 TileModel tile_model(const StreetObject& object, const Placement& placement, double metres_per_unit) {
   const Building box = box_of(object, metres_per_unit);
-  std::string name = "other";
-  for (const auto& [value, known] : point_label_names())
-    if (value == static_cast<std::uint8_t>(object.label)) name = known;
   TileModel model{true,
                   {},
                   building_mesh(box),
-                  {std::int64_t{object.id}, name, object.probability, object.height_m, object.length_m, object.width_m,
-                   static_cast<std::int64_t>(object.points)},
+                  {std::int64_t{object.id}, object.class_name, object.probability, object.height_m, object.length_m,
+                   object.width_m, static_cast<std::int64_t>(object.points)},
                   {}};
   model.shape.surfaces = box.surfaces;
   placement.apply(model.mesh.vertices);

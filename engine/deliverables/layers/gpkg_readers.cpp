@@ -78,10 +78,14 @@ std::vector<Outline::Part> parts_of(const LayerFile& file, const OGRGeometry& ge
   return parts;
 }
 
-PointLabel label_named(const LayerFile& file, const std::string& name) {
+// The label of an object's class. A class of one's own has it in a column; runs of earlier versions have neither.
+PointLabel label_of(const LayerFile& file, const OGRFeature& feature, const std::string& name) {
   for (const auto& [value, known] : point_label_names())
     if (known == name) return static_cast<PointLabel>(value);
-  file.fail("there is no class '" + name + "'");
+  const std::uint64_t label = feature.GetFieldIndex("label") < 0 ? 0 : file.whole(feature, "label");
+  if (label < kFirstOwnLabel || label >= kFirstOwnLabel + kMostOwnClasses)
+    file.fail("there is no class '" + name + "'");
+  return static_cast<PointLabel>(label);
 }
 
 Vec3 place_of(const OGRPoint& point) {
@@ -125,7 +129,8 @@ std::vector<StreetObject> read_objects_gpkg(const std::filesystem::path& path) {
     if (wkbFlatten(geometry.getGeometryType()) != wkbPoint) file.fail("the place of an object is no point");
     StreetObject o;
     o.id = file.number(feature, "object_id");
-    o.label = label_named(file, feature.GetFieldAsString("class"));
+    o.class_name = feature.GetFieldAsString("class");
+    o.label = label_of(file, feature, o.class_name);
     o.probability = file.real(feature, "probability");
     o.base = o.middle = place_of(*geometry.toPoint());
     o.height_m = file.real(feature, "height_m");

@@ -104,13 +104,10 @@ LayerStyle style_of_planes() {
           {{"0.01", "up to 1 cm", kBlue}, {"0.03", "1 to 3 cm", kYellow}, {"1000000", "more than 3 cm", kRed}}};
 }
 
-LayerStyle style_of_objects(StyleSymbol symbol) {
+LayerStyle style_of_objects(StyleSymbol symbol, const std::map<PointLabel, std::string>& classes) {
   LayerStyle style{"class", symbol, "class", false, {}};
-  for (const auto& [value, name] : point_label_names()) {
-    const auto label = static_cast<PointLabel>(value);
-    if (is_street_object(label))
-      style.classes.push_back({name, name, fmt::format("{}", fmt::join(object_colour(label), ","))});
-  }
+  for (const auto& [label, name] : classes)
+    style.classes.push_back({name, name, fmt::format("{}", fmt::join(object_colour(label), ","))});
   return style;
 }
 

@@ -2,8 +2,11 @@
 // How QGIS draws a layer, as its style files (QML) say it. The colours are those of the report.
 #pragma once
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
+
+#include "ilot/cloud_info.h"
 
 namespace ilot {
 
@@ -26,8 +29,8 @@ struct LayerStyle {
 // The styles of what runs write.
 LayerStyle style_of_buildings();  // by quality
 LayerStyle style_of_roof_faces();
-LayerStyle style_of_planes();                     // by root mean square distance
-LayerStyle style_of_objects(StyleSymbol symbol);  // by class
+LayerStyle style_of_planes();  // by root mean square distance
+LayerStyle style_of_objects(StyleSymbol symbol, const std::map<PointLabel, std::string>& classes);  // by class
 LayerStyle style_of_blocks();
 LayerStyle style_of_gaps();
 LayerStyle style_of_kerbs();                    // by whether they were seen

@@ -26,10 +26,6 @@ std::string colour_of(PointLabel label) {
   return fmt::format("#{:02x}{:02x}{:02x}", red, green, blue);
 }
 
-const std::string& name_of(PointLabel label) {
-  return point_label_names().at(static_cast<std::uint32_t>(label));
-}
-
 // Converts CRS coordinates to metres from the lower left corner of the drawn content, y down.
 class Sheet {
  public:
@@ -71,7 +67,7 @@ std::string symbol(const Sheet& sheet, const StreetObject& o, double metres_per_
     points += fmt::format("{:.2f},{:.2f} ", sheet.x(corner), sheet.y(corner));
   points.pop_back();
   return fmt::format("<polygon points=\"{}\" fill=\"{}\"><title>{} {}: {:.0f} %, {:.2f} m high</title></polygon>\n",
-                     points, colour_of(o.label), name_of(o.label), o.id, 100 * o.probability, o.height_m);
+                     points, colour_of(o.label), o.class_name, o.id, 100 * o.probability, o.height_m);
 }
 
 std::string kerb_line(const Sheet& sheet, const StreetKerb& kerb) {
@@ -97,9 +93,9 @@ std::string tree_symbol(const Sheet& sheet, const StreetTree& tree) {
                                      : fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"0.1\"", kTrunk));
 }
 
-std::map<PointLabel, std::size_t> counts_of(const StreetPlan& plan) {
-  std::map<PointLabel, std::size_t> counts;
-  for (const StreetObject& o : plan.objects) ++counts[o.label];
+std::map<std::pair<PointLabel, std::string>, std::size_t> counts_of(const StreetPlan& plan) {
+  std::map<std::pair<PointLabel, std::string>, std::size_t> counts;
+  for (const StreetObject& o : plan.objects) ++counts[{o.label, o.class_name}];
   return counts;
 }
 
@@ -127,9 +123,9 @@ std::string street_map_svg(const StreetPlan& plan, double metres_per_unit) {
 
 std::string street_legend_html(const StreetPlan& plan) {
   std::string html = "<table><thead><tr><th>class</th><th class=\"n\">objects</th></tr></thead><tbody>\n";
-  for (const auto& [label, count] : counts_of(plan))
+  for (const auto& [of, count] : counts_of(plan))
     html += fmt::format("<tr><td><i class=\"swatch\" style=\"background:{}\"></i>{}</td><td class=\"n\">{}</td></tr>\n",
-                        colour_of(label), name_of(label), count);
+                        colour_of(of.first), of.second, count);
   const auto row = [](const char* colour, const char* name, std::size_t count) {
     return fmt::format("<tr><td><i class=\"swatch\" style=\"background:{}\"></i>{}</td><td class=\"n\">{}</td></tr>\n",
                        colour, name, count);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/deliverables/layers/streets_gpkg.h"
 
+#include <map>
+#include <string>
+
 #include "engine/deliverables/layers/gpkg_file.h"
+#include "engine/model/point_label.h"
 #include "engine/model/street_geometry.h"
 
 namespace ilot {
@@ -10,6 +14,7 @@ namespace {
 void add_object_fields(OGRLayer& layer) {
   GpkgFile::add_field(layer, "object_id", OFTInteger64);
   GpkgFile::add_field(layer, "class", OFTString);
+  GpkgFile::add_field(layer, "label", OFTInteger64);
   for (const char* name : {"probability", "height_m", "length_m", "width_m", "heading_deg", "area_m2"})
     GpkgFile::add_field(layer, name, OFTReal);
   for (const char* name : {"points", "stretch", "block"}) GpkgFile::add_field(layer, name, OFTInteger64);
@@ -17,7 +22,8 @@ void add_object_fields(OGRLayer& layer) {
 
 void set_fields(OGRFeature& feature, const StreetObject& o) {
   feature.SetField("object_id", static_cast<GIntBig>(o.id));
-  feature.SetField("class", point_label_names().at(static_cast<std::uint32_t>(o.label)).c_str());
+  feature.SetField("class", o.class_name.c_str());
+  feature.SetField("label", static_cast<GIntBig>(o.label));
   feature.SetField("probability", o.probability);
   feature.SetField("height_m", o.height_m);
   feature.SetField("length_m", o.length_m);
@@ -27,6 +33,16 @@ void set_fields(OGRFeature& feature, const StreetObject& o) {
   feature.SetField("points", static_cast<GIntBig>(o.points));
   if (o.stretch > 0) feature.SetField("stretch", static_cast<GIntBig>(o.stretch));
   if (o.block > 0) feature.SetField("block", static_cast<GIntBig>(o.block));
+}
+
+// The classes of a style: ours, and one's own among the objects.
+std::map<PointLabel, std::string> classes_of(const StreetPlan& plan) {
+  std::map<PointLabel, std::string> classes;
+  for (const auto& [value, name] : point_label_names())
+    if (is_street_object(static_cast<PointLabel>(value))) classes[static_cast<PointLabel>(value)] = name;
+  for (const StreetObject& o : plan.objects)
+    if (is_own_class(o.label)) classes[o.label] = o.class_name;
+  return classes;
 }
 
 void write_parts(GpkgFile& file, const char* name, const std::vector<FacadePart>& parts, const Crs& crs,
@@ -57,8 +73,9 @@ void write_objects_gpkg(const std::filesystem::path& path, const StreetPlan& pla
   add_object_fields(objects);
   OGRLayer& extents = file.add_layer("extents", wkbPolygon, crs);
   add_object_fields(extents);
-  file.set_style(objects, style_of_objects(StyleSymbol::marker));
-  file.set_style(extents, style_of_objects(StyleSymbol::fill));
+  const std::map<PointLabel, std::string> classes = classes_of(plan);
+  file.set_style(objects, style_of_objects(StyleSymbol::marker, classes));
+  file.set_style(extents, style_of_objects(StyleSymbol::fill, classes));
   for (const StreetObject& o : plan.objects) {
     OGRFeature feature(objects.GetLayerDefn());
     set_fields(feature, o);

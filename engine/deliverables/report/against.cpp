@@ -138,8 +138,7 @@ std::vector<ComparedUnit> compared_objects(const ResultFolder& result, const Sce
   std::vector<ComparedUnit> units;
   if (!result.has("streets/objects.gpkg")) return units;
   for (const StreetObject& o : read_objects_gpkg(result.path / "streets/objects.gpkg")) {
-    const std::string& name = point_label_names().at(static_cast<std::uint32_t>(o.label));
-    units.push_back({std::to_string(o.id), "", "object", name, frame.at(o.base)});
+    units.push_back({std::to_string(o.id), "", "object", o.class_name, frame.at(o.base)});
   }
   return units;
 }

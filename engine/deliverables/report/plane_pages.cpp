@@ -123,8 +123,7 @@ std::string streets_section(const StreetPlan& plan, double metres_per_unit) {
                    {"block"}},
                   true);
   for (const StreetObject& o : doubtful)
-    table.add({fmt::format("<a href=\"#object/{0}\">{0}</a>", o.id),
-               html_text(point_label_names().at(static_cast<std::uint32_t>(o.label))),
+    table.add({fmt::format("<a href=\"#object/{0}\">{0}</a>", o.id), html_text(o.class_name),
                number_text(100 * o.probability, 0), number_text(o.height_m, 2), number_text(o.length_m, 2),
                number_text(o.width_m, 2), grouped(o.points),
                o.stretch == 0 ? "" : fmt::format("{}.{}", o.stretch, o.block)});

@@ -163,6 +163,8 @@ void put_sections(const ReportParts& p, bool viewer, const Put& put) {
 Json scene_about(const ReportParts& p) {
   Json labels = Json::object();
   for (const auto& [value, name] : point_label_names()) labels[std::to_string(value)] = name;
+  for (const StreetObject& o : p.street.objects)
+    if (is_own_class(o.label)) labels[std::to_string(static_cast<std::uint32_t>(o.label))] = o.class_name;
   return {{"origin", {p.frame.origin.x, p.frame.origin.y, p.frame.origin.z}},
           {"metres_per_unit", p.frame.metres_per_unit},
           {"labels", labels}};

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/deliverables/tables/training_places.h"
 
+#include <cpl_string.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "engine/deliverables/layers/spatial_reference.h"
 #include "engine/error.h"
@@ -16,20 +20,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kLongestName = 40;  // bytes of the name of a class
+
 Error usage(const fs::path& path, const std::string& sentence) {
   return Error(path.string() + ": " + sentence, ExitCode::usage);
 }
 
-PointLabel label_of(const fs::path& path, const std::string& name) {
-  if (name == "none") return PointLabel::none;
+bool is_letter(unsigned char c) {
+  return c >= 0x80 || std::isalnum(c) != 0 || std::string_view(" _-./").find(static_cast<char>(c)) != std::string::npos;
+}
+
+// The name of a class, as a file has it.
+std::string checked(const fs::path& path, const std::string& name) {
   for (const auto& [value, known] : point_label_names()) {
     const auto label = static_cast<PointLabel>(value);
-    if (known == name && (label == PointLabel::vegetation || is_street_object(label))) return label;
+    if (known == name && label != PointLabel::vegetation && !is_street_object(label))
+      throw usage(path, "'" + name + "' is no class of objects on a street");
   }
-  std::string all;
-  for (const auto& [value, known] : point_label_names())
-    if (is_street_object(static_cast<PointLabel>(value))) all += known + ", ";
-  throw usage(path, "there is no class '" + name + "'; there is: " + all + "vegetation, none");
+  const bool good =
+      CPLIsUTF8(name.c_str(), -1) && !name.empty() && name.size() <= kLongestName && name.front() != ' ' &&
+      name.back() != ' ' &&
+      std::all_of(name.begin(), name.end(), [](char c) { return is_letter(static_cast<unsigned char>(c)); });
+  if (!good)
+    throw usage(path, "'" + name.substr(0, kLongestName) +
+                          "' is no name of a class: it needs 1 to 40 letters, digits, blanks and _ - . / in UTF-8");
+  return name;
 }
 
 std::vector<TrainingPlace> read_truth_places(const fs::path& path) {
@@ -41,7 +56,7 @@ std::vector<TrainingPlace> read_truth_places(const fs::path& path) {
     for (const auto& o : root.at("objects")) {
       const auto& at = o.contains("box") ? o.at("box").at("centre") : o.at("base");
       const Vec3 place{at.at(0).get<double>(), at.at(1).get<double>(), at.at(2).get<double>()};
-      places.push_back({place, label_of(path, o.at("class").get<std::string>())});
+      places.push_back({place, checked(path, o.at("class").get<std::string>())});
     }
   } catch (const nlohmann::json::exception& e) {
     throw usage(path, std::string("an object is broken: ") + e.what());
@@ -75,7 +90,7 @@ std::vector<TrainingPlace> read_layer(const fs::path& path, OGRLayer& layer, con
     if (geometry->Centroid(&middle) != OGRERR_NONE) continue;
     if (transformation && middle.transform(transformation.get()) != OGRERR_NONE) continue;
     if (!std::isfinite(middle.getX()) || !std::isfinite(middle.getY())) continue;
-    places.push_back({{middle.getX(), middle.getY(), 0}, label_of(path, feature->GetFieldAsString(field))});
+    places.push_back({{middle.getX(), middle.getY(), 0}, checked(path, feature->GetFieldAsString(field))});
   }
   return places;
 }

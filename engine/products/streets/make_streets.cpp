@@ -63,10 +63,11 @@ Vec3 place_of(const TileRaster& raster, double x, double y, Height z) {
 }
 
 StreetObject object_of(const FoundStreet& street, const StretchIndex& blocks, const ObjectCandidate& candidate,
-                       const CandidateClass& what) {
+                       const CandidateClass& what, const OwnClasses& own) {
   const TileRaster& raster = street.tiles->raster();
   StreetObject o;
   o.label = what.label;
+  o.class_name = class_name_of(what.label, own);
   o.probability = what.probability;
   o.base = place_of(raster, candidate.x, candidate.y, candidate.ground);
   o.middle = place_of(raster, candidate.middle_x, candidate.middle_y, candidate.ground);
@@ -217,7 +218,7 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
     const ObjectCandidate& candidate = street.candidates[i];
     if (taken[i] == 0 || !is_street_object(classes[i].label)) continue;
     if (candidate.points < kLeastPoints || candidate.length > kLongestObject) continue;
-    StreetObject object = object_of(street, blocks, candidate, classes[i]);
+    StreetObject object = object_of(street, blocks, candidate, classes[i], model.own());
     if (context.wanted && !context.wanted({std::llround(object.base.x / unit), std::llround(object.base.y / unit), 0}))
       continue;
     object.id = static_cast<std::uint32_t>(plan.objects.size() + 1);

@@ -117,6 +117,7 @@ TEST(PublicResults, Streets) {
   StreetObject car;
   car.id = 1;
   car.label = PointLabel::car;
+  car.class_name = "car";
   car.probability = 0.75;
   car.base = {652001, 6862002, 30};
   car.middle = {652001.5, 6862002.25, 30};

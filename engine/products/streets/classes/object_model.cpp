@@ -23,7 +23,7 @@ constexpr double kLeastShare = 1e-4;  // lower bound of a probability
 }  // namespace
 
 std::string object_class_name(PointLabel label) {
-  return label == PointLabel::none ? "none" : point_label_names().at(static_cast<std::uint32_t>(label));
+  return class_name_of(label, {});
 }
 
 namespace {
@@ -114,15 +114,23 @@ class ModelReader {
     const auto v = numbers(words, 2);
     if (!(v[0] > 0)) fail("a class is never there");
     std::string name;
-    words >> name;
-    for (std::uint32_t value = 0; value <= point_label_names().rbegin()->first; ++value) {
-      if (object_class_name(static_cast<PointLabel>(value)) != name) continue;
-      model_.classes.push_back(static_cast<PointLabel>(value));
-      model_.prior.push_back(v[0]);
-      model_.min_similarity.push_back(v[1]);
-      return;
-    }
-    fail("there is no class '" + name + "'");
+    std::getline(words >> std::ws, name);
+    model_.classes.push_back(label_named(name));
+    model_.prior.push_back(v[0]);
+    model_.min_similarity.push_back(v[1]);
+  }
+
+  // A name that is none of ours is a class of one's own; their labels are numbered in the order of their names.
+  PointLabel label_named(const std::string& name) {
+    if (name == "none") return PointLabel::none;
+    for (const auto& [value, known] : point_label_names())
+      if (known == name) return static_cast<PointLabel>(value);
+    if (name.empty()) fail("a class has no name");
+    if (!model_.own.empty() && model_.own.back() >= name)
+      fail("the classes of one's own are not in the order of their names");
+    if (model_.own.size() == kMostOwnClasses) fail("there are too many classes");
+    model_.own.push_back(name);
+    return own_class(model_.own.size() - 1);
   }
 
   std::vector<double> numbers(std::istringstream& words, std::size_t count) const {
@@ -281,7 +289,7 @@ std::string object_model_text(const ObjectModel& model) {
   for (std::string line; std::getline(recipe, line);) text += line.empty() ? "#\n" : "# " + line + "\n";
   for (std::size_t c = 0; c < model.classes.size(); ++c)
     text += fmt::format("class {:.9g} {:.9g} {}\n", model.prior[c], model.min_similarity[c],
-                        object_class_name(model.classes[c]));
+                        class_name_of(model.classes[c], model.own));
   for (std::size_t i = 0; i < model.features.size(); ++i)
     text += fmt::format("feature {:.9g} {:.9g} {}\n", model.mean[i], model.sd[i],
                         candidate_feature_name(model.features[i]));

@@ -35,6 +35,7 @@ struct ObjectModel {
   std::vector<double> mean, sd;       // mean and standard deviation of each feature, after signed_root
   double gamma = 1, cost = 1;
   std::vector<PointLabel> classes;     // ascending; a single class needs neither vectors nor trees
+  OwnClasses own;                      // names of those classes that are one's own
   std::vector<double> min_similarity;  // of each class: least kernel to the nearest of its vectors for a member
   std::vector<double> prior;           // of each class: how many samples there were for each one that was trained on
   std::vector<std::vector<double>> vectors;    // support vectors, or samples of the classes of trees; standardised

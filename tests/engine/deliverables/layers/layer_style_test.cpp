@@ -14,7 +14,7 @@ namespace {
 
 TEST(LayerStyle, HasASymbolForEachClass) {
   for (const LayerStyle& style : {style_of_buildings(), style_of_roof_faces(), style_of_planes(), style_of_blocks(),
-                                  style_of_gaps(), style_of_objects(StyleSymbol::marker)}) {
+                                  style_of_gaps(), style_of_objects(StyleSymbol::marker, {{PointLabel::car, "car"}})}) {
     pugi::xml_document document;
     ASSERT_TRUE(document.load_string(layer_style_qml(style).c_str())) << style.name;
     const pugi::xml_node renderer = document.child("qgis").child("renderer-v2");
@@ -43,6 +43,7 @@ TEST(LayerStyle, IsTheDefaultOfItsLayerInTheFile) {
   const TemporaryFolder folder;
   StreetPlan plan;
   plan.objects.emplace_back().label = PointLabel::car;
+  plan.objects.back().class_name = "car";
   write_objects_gpkg(folder.path() / "objects.gpkg", plan, {});
   const GDALDatasetUniquePtr file(GDALDataset::Open((folder.path() / "objects.gpkg").c_str(), GDAL_OF_VECTOR));
   ASSERT_TRUE(file);

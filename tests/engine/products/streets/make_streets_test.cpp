@@ -13,65 +13,13 @@
 
 #include "engine/error.h"
 #include "engine/run/run.h"
+#include "tests/engine/products/streets/street_runs.h"
 #include "tests/support/cloud_store.h"
-#include "training/object_model_training.h"
 
 namespace ilot {
 namespace {
 
 using nlohmann::json;
-
-ObjectModel learn(std::span<const TrainingSample> samples) {
-  return train_object_model(samples);
-}
-
-json record_of(const std::filesystem::path& out) {
-  std::stringstream text;
-  text << std::ifstream(out / "run.json").rdbuf();
-  return json::parse(text.str());
-}
-
-struct StreetsOutcome {
-  int code = 0;
-  json record;
-  std::filesystem::path out;
-};
-
-StreetsOutcome run_cloud(const TemporaryFolder& folder, const std::vector<Index3>& points, const std::string& name,
-                         const std::function<void(RunOptions&)>& change = {}) {
-  const auto cloud = folder.path() / "street.las";
-  test::write_cloud(cloud, points);
-  RunOptions options;
-  options.inputs = {cloud};
-  options.output = folder.path() / name;
-  options.products = {"streets"};
-  options.crs = "EPSG:2154";
-  options.threads = 2;
-  if (change) change(options);
-  Progress progress;
-  StreetsOutcome out{run(options, progress, learn), {}, options.output};
-  out.record = record_of(out.out);
-  return out;
-}
-
-// 24 m of street between facades of 9 m, a point each 5 cm, millimetres; boxes stand on it.
-std::vector<Index3> street_points(int slope_percent, int boxes, bool right_side = true) {
-  Rng rng(3);
-  std::vector<Index3> points;
-  for (std::int64_t x = 0; x < 24000; x += 50)
-    for (std::int64_t y = 0; y < 12000; y += 50) {
-      const std::int64_t base = 30000 + x * slope_percent / 100 + static_cast<std::int64_t>(rng.below(15));
-      if (y < 600 || (right_side && y >= 11400)) {
-        for (std::int64_t z = 0; z < 9000; z += 450) points.push_back({700000000 + x, 660000000 + y, base + z});
-        continue;
-      }
-      bool on_box = false;
-      for (std::int64_t b = 0; b < boxes; ++b)
-        on_box |= x >= 3000 + 6000 * b && x < 7000 + 6000 * b && y >= 3000 && y < 4700;
-      points.push_back({700000000 + x, 660000000 + y, base + (on_box ? 1400 : 0)});
-    }
-  return points;
-}
 
 TEST(StreetsProduct, AllFilesAreThere) {
   const TemporaryFolder folder;
@@ -290,97 +238,6 @@ TEST(StreetsProduct, CloudsWithoutAStreet) {
     EXPECT_EQ(out.code, static_cast<int>(ExitCode::incomplete)) << name;
     ASSERT_EQ(out.record["skipped"].size(), 1u) << name;
     EXPECT_EQ(out.record["skipped"][0]["where"], "streets");
-  }
-}
-
-std::string place(double x, double y, const std::string& name) {
-  std::ostringstream out;
-  out.precision(12);
-  out << R"({"type":"Feature","properties":{"class":")" << name << R"("},"geometry":{"type":"Point","coordinates":[)"
-      << x << "," << y << "]}}";
-  return out.str();
-}
-
-std::string collection(const std::string& features) {
-  return R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::2154"}},)"
-         R"("features":[)" +
-         features + "]}";
-}
-
-TEST(StreetsProduct, LearnsFromPlaces) {
-  const TemporaryFolder folder;
-  std::string features = place(900000, 660001, "car");
-  for (int b = 0; b < 3; ++b) features += "," + place(700005 + 6 * b, 660003.8, b == 0 ? "car" : "other");
-  features += "," + place(700005.01, 660003.8, "car");
-  const auto train = folder.put("labels.geojson", collection(features));
-  EXPECT_THROW(run_cloud(folder, street_points(2, 3), "one", [&](RunOptions& o) { o.train = train; }), Error)
-      << "one thing of a class is too little";
-}
-
-struct TestObject {
-  std::int64_t x, y, length, width, height;  // millimetres
-  const char* name;
-};
-
-const std::vector<TestObject>& test_objects() {
-  static const std::vector<TestObject> list{
-      {1500, 2500, 4000, 1700, 1400, "car"},    {8500, 2500, 4200, 1800, 1500, "car"},
-      {2000, 8000, 200, 200, 5000, "lamppost"}, {8000, 8000, 200, 200, 5500, "lamppost"},
-      {15000, 8000, 600, 700, 1100, "other"},   {20000, 8000, 700, 600, 1000, "other"},
-      {16000, 2500, 4100, 1700, 1450, "car"},   {12000, 8000, 250, 200, 5200, "lamppost"},
-      {17500, 8000, 600, 600, 1050, "other"}};
-  return list;
-}
-
-// Labels without a class, and one outside the cloud: it is said, and nothing is called that.
-TEST(StreetsProduct, ThreeClassesInsteadOfFour) {
-  std::vector<Index3> points = street_points(1, 0);
-  std::string features;
-  for (Index3& p : points)
-    for (const TestObject& s : test_objects()) {
-      const std::int64_t x = p.x - 700000000 - s.x, y = p.y - 660000000 - s.y;
-      if (x >= 0 && x < s.length && y >= 0 && y < s.width) p.z += s.height;
-    }
-  for (const TestObject& s : test_objects())
-    features += (features.empty() ? "" : ",") + place(700000 + 0.001 * static_cast<double>(s.x + s.length / 2),
-                                                      660000 + 0.001 * static_cast<double>(s.y + s.width / 2), s.name);
-  features += "," + place(900000, 660001, "car");
-  const TemporaryFolder folder;
-  const auto train = folder.put("labels.geojson", collection(features));
-  const StreetsOutcome out = run_cloud(folder, points, "out", [&](RunOptions& o) { o.train = train; });
-  ASSERT_FALSE(out.record["warnings"].empty());
-  EXPECT_NE(out.record["warnings"].dump().find("contains no pedestrian"), std::string::npos)
-      << out.record["warnings"].dump();
-  EXPECT_NE(out.record["warnings"].dump().find("1 of its 10 places are on nothing"), std::string::npos)
-      << out.record["warnings"].dump();
-  EXPECT_GT(std::filesystem::file_size(out.out / "streets" / "objects.model"), 0u);
-
-  // The same model in the words of version 2 says the same, with a warning.
-  std::stringstream text;
-  text << std::ifstream(out.out / "streets" / "objects.model").rdbuf();
-  std::string old = text.str();
-  ASSERT_TRUE(old.starts_with("ilot objects 3\n"));
-  const auto again = run_cloud(folder, points, "again", [&](RunOptions& o) { o.train = folder.put("new.model", old); });
-  old = "ilot things 2" + old.substr(std::string("ilot objects 3").size());
-  const auto older = run_cloud(folder, points, "older", [&](RunOptions& o) { o.train = folder.put("old.model", old); });
-  EXPECT_EQ(again.record["result_hash"], older.record["result_hash"]);
-  EXPECT_EQ(again.record["warnings"].dump().find("version 2"), std::string::npos);
-  EXPECT_NE(older.record["warnings"].dump().find("version 2"), std::string::npos);
-}
-
-TEST(StreetsProduct, PlacesOutsideTheCloudAreRefused) {
-  const TemporaryFolder folder;
-  const auto outside = folder.put("outside.geojson", collection(place(1, 1, "car") + "," + place(2, 2, "other")));
-  const auto unknown = folder.put("unknown.geojson", collection(place(700005, 660003.8, "cow")));
-  for (const auto& [file, part] : {std::pair{outside, "none of its 2 places"}, {unknown, "no class 'cow'"}}) {
-    try {
-      run_cloud(folder, street_points(2, 3), "out", [&, f = file](RunOptions& o) { o.train = f; });
-      FAIL() << part;
-    } catch (const Error& e) {
-      EXPECT_EQ(e.code(), ExitCode::usage);
-      EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
-    }
-    std::filesystem::remove_all(folder.path() / "out");
   }
 }
 
