@@ -6,6 +6,7 @@ import inspect
 import pathlib
 import sys
 
+sys.path.pop(0)  # the folder of this script has the sources of the package, without what is compiled
 from ilot import products
 
 HEAD = """# SPDX-License-Identifier: Apache-2.0

@@ -48,8 +48,12 @@ STUB, SPACE = stub("_ilot.pyi")
 
 
 def hints_of(thing):
-    module = vars(sys.modules[thing.__module__]) if thing.__module__ in sys.modules else {}
-    return typing.get_type_hints(thing, {**module, **SPACE, **NAMES, **{k: v for k, v in module.items() if not k.startswith("__")}})
+    known = {**SPACE, **NAMES}
+    module = sys.modules.get(thing.__module__)
+    if module:  # forward references of a TypedDict are looked up there alone
+        with unittest.mock.patch.dict(vars(module), {k: v for k, v in known.items() if k not in vars(module) and not k.startswith("__")}):
+            return typing.get_type_hints(thing, {**known, **vars(module)})
+    return typing.get_type_hints(thing, known)
 
 
 def of_union(value, kinds, where):
