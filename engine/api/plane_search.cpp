@@ -126,8 +126,8 @@ PlaneSearchResult search(const LatticePoints& lattice, const PlaneSearchOptions&
 }  // namespace
 
 PlaneSearchResult find_planes(const PointArrays& points, const PlaneSearchOptions& options) {
+  const LatticePoints lattice = lattice_points(points, options.step);  // refuses what are no points
   check_options(options, points.x.size());
-  const LatticePoints lattice = lattice_points(points, options.step);
   PlaneSearchResult result;
   on_threads(options.threads, [&] { result = search(lattice, options); });
   return result;

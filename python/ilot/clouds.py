@@ -8,13 +8,12 @@ import os
 from typing import TYPE_CHECKING, Any, Iterable
 
 from . import _ilot
-from ._types import Path, usage_fault
+from ._types import CloudInfo, Path, usage_fault
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import NDArray
 
-    from ._types import Floats
+    from ._types import Bytes, Floats, Words
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -28,17 +27,17 @@ class Cloud:
     x: Floats
     y: Floats
     z: Floats
-    intensity: NDArray[np.uint16] | None = None
-    classification: NDArray[np.uint8] | None = None
-    red: NDArray[np.uint16] | None = None
-    green: NDArray[np.uint16] | None = None
-    blue: NDArray[np.uint16] | None = None
+    intensity: Words | None = None
+    classification: Bytes | None = None
+    red: Words | None = None
+    green: Words | None = None
+    blue: Words | None = None
     crs: str = ""
     scale: float = 0.001
     name: str = "points"
 
     @property
-    def attributes(self) -> dict[str, NDArray[Any] | None]:
+    def attributes(self) -> dict[str, Words | Bytes | None]:
         """Its attributes by name; None where it has none."""
         return {"intensity": self.intensity, "classification": self.classification, "red": self.red, "green": self.green,
                 "blue": self.blue}
@@ -60,17 +59,17 @@ def read_cloud(path: Path, *, first: int = 0, most: int | None = None, extra: It
     return _ilot.read_cloud(os.fspath(path), rows[0], None if most is None else rows[1], names)
 
 
-def info(path: Path) -> dict[str, Any]:
+def info(path: Path) -> CloudInfo:
     """Returns what the points of a cloud really are, as `ilot info` says: number, bounds, classes, density (points/m2),
     sampling step (m), strays, warnings, and for each product whether the cloud suits it and why."""
     return _ilot.info(os.fspath(path))
 
 
-def write_cloud(path: Path, x: Floats, y: Floats, z: Floats, *, intensity: NDArray[np.uint16] | None = None,
-                classification: NDArray[np.uint8] | None = None, red: NDArray[np.uint16] | None = None,
-                green: NDArray[np.uint16] | None = None, blue: NDArray[np.uint16] | None = None, crs: str = "",
+def write_cloud(path: Path, x: Floats, y: Floats, z: Floats, *, intensity: Words | None = None,
+                classification: Bytes | None = None, red: Words | None = None,
+                green: Words | None = None, blue: Words | None = None, crs: str = "",
                 scale: float = 0.001) -> None:
     """Writes .las, .laz, .copc.laz or .ply, which appears whole or not at all. x, y, z: float64, CRS units, rounded to
     multiples of `scale`. intensity, red, green, blue: uint16. classification: uint8. crs: "EPSG:2154", or empty."""
-    attributes = {"intensity": intensity, "classification": classification, "red": red, "green": green, "blue": blue}
+    attributes: dict[str, Words | Bytes | None] = {"intensity": intensity, "classification": classification, "red": red, "green": green, "blue": blue}
     _ilot.write_cloud(os.fspath(path), x, y, z, attributes, crs, scale)

@@ -4,10 +4,10 @@ chosen from their extent (0.0001 up to 419 m). `threads`: 0 = all; no result dep
 from __future__ import annotations
 
 import operator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from . import _ilot
-from ._types import usage_fault
+from ._types import FoundPlanes, usage_fault
 
 if TYPE_CHECKING:
     from ._types import Floats, Indices, Singles
@@ -34,7 +34,7 @@ def euclidean_clusters(x: Floats, y: Floats, z: Floats, radius: float, *, step: 
 
 def find_planes(x: Floats, y: Floats, z: Floats, *, epsilon: float | None = None, normal_angle_deg: float | None = None,
                 min_points: int | None = None, connectivity: float | None = None, probability: float = 0.99, seed: int = 0,
-                step: float = 0.0, threads: int = 0) -> dict[str, Any]:
+                step: float = 0.0, threads: int = 0) -> FoundPlanes:
     """Finds planes by random sample consensus. What is None is chosen from the points. Returns a dict: label (uint32 a point,
     0 = none, else 1 + row of planes), planes of shape (n, 4): nx, ny, nz, d with n . p + d = 0, and the values that were
     used. Every labelled point lies within epsilon of its plane."""

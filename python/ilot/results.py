@@ -6,10 +6,10 @@ from __future__ import annotations
 import dataclasses
 import math
 import os
-from typing import TYPE_CHECKING, Any, Iterable
+from typing import TYPE_CHECKING, Any, Iterable, Literal
 
 from . import _ilot
-from ._types import Path
+from ._types import Attribute, Path, Place
 
 if TYPE_CHECKING:
     import numpy as np
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from ._types import Floats
 
-Place = tuple[float, float, float]
+Status = Literal["seen", "completed", "occluded", "by hand"]
 
 
 def _feature(geometry: dict[str, Any], properties: dict[str, Any]) -> dict[str, Any]:
@@ -54,7 +54,7 @@ class PlaneSegment:
 
 @dataclasses.dataclass(frozen=True)
 class Surface:
-    kind: str  # roof, wall, ground
+    kind: Literal["roof", "wall", "ground"]
     rings: list[list[int]]  # of indices of vertices: the outer ring counter-clockwise seen from outside, then its holes
 
 
@@ -62,15 +62,17 @@ class Surface:
 class Building:
     """A building. levels: {"2.2": (vertices of shape (n, 3), surfaces)}, the highest level of detail last."""
     id: str
-    attributes: dict[str, Any]  # docs/outputs.md has their meanings and units
+    attributes: dict[str, Attribute]  # docs/outputs.md has their meanings and units
     levels: dict[str, tuple[Floats, list[Surface]]]
 
     @property
     def __geo_interface__(self) -> dict[str, Any]:
         """The roof of the highest level in plan, else the outline on the ground."""
-        vertices, surfaces = next(reversed(self.levels.values())) if self.levels else ([], [])
-        kind = "roof" if any(s.kind == "roof" for s in surfaces) else "ground"
-        rings = [[_closed(vertices[i] for i in ring) for ring in s.rings] for s in surfaces if s.kind == kind]
+        rings = []
+        if self.levels:
+            vertices, surfaces = next(reversed(self.levels.values()))
+            kind = "roof" if any(s.kind == "roof" for s in surfaces) else "ground"
+            rings = [[_closed(vertices[i] for i in ring) for ring in s.rings] for s in surfaces if s.kind == kind]
         return _feature({"type": "MultiPolygon", "coordinates": rings}, {"id": self.id, **self.attributes})
 
 
@@ -83,11 +85,11 @@ class Element:
     family: int  # equal elements share it; 0 = none
     row: int
     column: int
-    status: str  # seen, completed, occluded, by hand
+    status: Status
     reason: str
     ring: Floats  # array of shape (corners, 3)
     edge_error_m: Floats  # array: bound on the place of each edge
-    edge_status: list[str]
+    edge_status: list[Status]
     width_m: float
     height_m: float
     depth_m: float
@@ -227,10 +229,8 @@ def read_roofs(folder: Path) -> list[Building]:
 
 def read_facades(folder: Path) -> list[Facade]:
     """Returns a list of Facade, the largest wall first."""
-    facades: list[dict[str, Any]] = _ilot.read_facades(folder)
-    for one in facades:
-        one["elements"] = [Element(**e) for e in one["elements"]]
-    return [Facade(**one) for one in facades]
+    return [Facade(f["id"], f["crs"], f["origin"], f["right"], f["up"], f["out"], f["width_m"], f["height_m"],
+                   [Element(**e) for e in f["elements"]]) for f in _ilot.read_facades(folder)]
 
 
 def read_streets(folder: Path) -> Streets:

@@ -1,20 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Whole runs: the same as the command `ilot run`. Each product is a function whose keywords are its settings."""
+"""Whole runs: the same as the command `ilot run`."""
 from __future__ import annotations
 
 import dataclasses
-import difflib
-import inspect
 import math
 import operator
 import os
 from typing import Any, Callable, Iterable
 
 from . import _ilot
-from ._types import Path, usage_fault
+from ._types import Path, Setting, usage_fault
 from .clouds import Cloud
-
-_PRODUCTS = ("planes", "roofs", "facades", "streets")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -62,13 +58,13 @@ def _memory(memory: int | str) -> int | str:
     return number
 
 
-def _bounds(bounds: Iterable[float] | None) -> tuple[float, ...] | None:
+def _bounds(bounds: Iterable[float] | None) -> tuple[float, float, float, float] | None:
     if bounds is None:
         return None
     corners = tuple(float(v) for v in bounds)
     if len(corners) != 4 or not all(math.isfinite(v) for v in corners):
         raise usage_fault(f"bounds={corners}: four finite numbers are expected, x0, y0, x1, y1")
-    return corners
+    return corners[0], corners[1], corners[2], corners[3]
 
 
 def _function(name: str, function: Any) -> Any:
@@ -111,39 +107,6 @@ def read_run(folder: Path) -> RunResult:
     return RunResult(**_ilot.read_run(folder))
 
 
-def parameters() -> list[dict[str, Any]]:
-    """Returns all settings: a list of dicts of key, default, range, unit, help, advanced."""
+def parameters() -> list[Setting]:
+    """Returns all settings: a list of dicts of key, kind, optional, choices, default, range, unit, help, advanced."""
     return _ilot.parameters()
-
-
-_RUN_WORDS = [word for word in inspect.signature(run).parameters if word != "products"]
-
-
-def _product(name: str) -> Callable[..., RunResult]:
-    """Returns the function of one product. Its keywords are those of run() and the settings of the product's section."""
-    prefix = name + "."
-    own = [p for p in parameters() if p["key"].startswith(prefix)]
-    keywords = {p["key"].removeprefix(prefix).replace(".", "_"): p["key"] for p in own}
-
-    def make(inputs: Path | Cloud | Iterable[Path | Cloud], output: Path, **arguments: Any) -> RunResult:
-        settings = dict(arguments.pop("settings", None) or {})
-        for word, key in keywords.items():
-            if word in arguments:
-                settings[key] = arguments.pop(word)
-        for word in arguments:
-            if word not in _RUN_WORDS:
-                near = difflib.get_close_matches(word, [*keywords, *_RUN_WORDS], 1)
-                raise TypeError(f"{name}() has no keyword {word}" + (f"; did you mean {near[0]}?" if near else ""))
-        return run(inputs, output, products=[name], settings=settings, **arguments)
-
-    lines = [f"    {word}: {p['help']} ({', '.join(t for t in (p['range'], p['unit']) if t)}) [{p['default']}]"
-             for word, p in zip(keywords, own) if not p["advanced"]]
-    make.__name__ = make.__qualname__ = name
-    make.__doc__ = f"Makes {name} of the clouds: run() with these settings as keywords.\n\n" + "\n".join(lines)
-    of_run = [p for word, p in inspect.signature(run).parameters.items() if word in _RUN_WORDS]
-    more = [inspect.Parameter(word, inspect.Parameter.KEYWORD_ONLY, default=None) for word in keywords]
-    make.__signature__ = inspect.Signature(of_run + more, return_annotation=RunResult)  # type: ignore[attr-defined]
-    return make
-
-
-planes, roofs, facades, streets = (_product(name) for name in _PRODUCTS)

@@ -145,9 +145,11 @@ void write_cloud_python(const std::filesystem::path& path, const py::object& x, 
 }  // namespace
 
 void bind_clouds(py::module_& m) {
-  m.def("read_cloud", &read_cloud_python);
-  m.def("info", &info_python);
-  m.def("write_cloud", &write_cloud_python);
+  using py::arg;
+  m.def("read_cloud", &read_cloud_python, arg("path"), arg("first"), arg("most"), arg("extra"));
+  m.def("info", &info_python, arg("path"));
+  m.def("write_cloud", &write_cloud_python, arg("path"), arg("x"), arg("y"), arg("z"), arg("attributes"), arg("crs"),
+        arg("scale"));
 }
 
 }  // namespace ilot

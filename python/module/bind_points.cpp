@@ -99,26 +99,30 @@ py::tuple alpha_shape_python(const py::object& x, const py::object& y, double re
 }  // namespace
 
 void bind_points(py::module_& m) {
-  m.def("nearest_neighbours", &neighbours_python);
-  m.def("estimate_normals", &normals_python);
-  m.def("euclidean_clusters", &clusters_python);
-  m.def("delaunay", &triangles_python);
-  m.def("alpha_shape", &alpha_shape_python);
-  m.def("find_planes",
-        [](const py::object& x, const py::object& y, const py::object& z, std::optional<double> epsilon,
-           std::optional<double> normal_angle_deg, std::optional<std::uint32_t> min_points,
-           std::optional<double> connectivity, double probability, std::uint64_t seed, double step, int threads) {
-          PlaneSearchOptions options;
-          options.epsilon = epsilon;
-          options.normal_angle_deg = normal_angle_deg;
-          options.min_points = min_points;
-          options.connectivity = connectivity;
-          options.probability = probability;
-          options.seed = seed;
-          options.step = step;
-          options.threads = threads;
-          return planes_python(x, y, z, options);
-        });
+  const py::arg x("x"), y("y"), z("z"), count("count"), max_distance("max_distance"), step("step"), threads("threads");
+  m.def("nearest_neighbours", &neighbours_python, x, y, z, count, max_distance, step, threads);
+  m.def("estimate_normals", &normals_python, x, y, z, count, max_distance, step, threads);
+  m.def("euclidean_clusters", &clusters_python, x, y, z, py::arg("radius"), step);
+  m.def("delaunay", &triangles_python, x, y, step);
+  m.def("alpha_shape", &alpha_shape_python, x, y, py::arg("reach"), py::arg("fill_holes"), step);
+  m.def(
+      "find_planes",
+      [](const py::object& xs, const py::object& ys, const py::object& zs, std::optional<double> epsilon,
+         std::optional<double> normal_angle_deg, std::optional<std::uint32_t> min_points,
+         std::optional<double> connectivity, double probability, std::uint64_t seed, double lattice_step, int workers) {
+        PlaneSearchOptions options;
+        options.epsilon = epsilon;
+        options.normal_angle_deg = normal_angle_deg;
+        options.min_points = min_points;
+        options.connectivity = connectivity;
+        options.probability = probability;
+        options.seed = seed;
+        options.step = lattice_step;
+        options.threads = workers;
+        return planes_python(xs, ys, zs, options);
+      },
+      x, y, z, py::arg("epsilon"), py::arg("normal_angle_deg"), py::arg("min_points"), py::arg("connectivity"),
+      py::arg("probability"), py::arg("seed"), step, threads);
 }
 
 }  // namespace ilot

@@ -210,10 +210,10 @@ py::dict streets_python(const std::filesystem::path& folder) {
 }  // namespace
 
 void bind_results(py::module_& m) {
-  m.def("read_planes", &planes_python);
-  m.def("read_roofs", &roofs_python);
-  m.def("read_facades", &facades_python);
-  m.def("read_streets", &streets_python);
+  m.def("read_planes", &planes_python, py::arg("folder"));
+  m.def("read_roofs", &roofs_python, py::arg("folder"));
+  m.def("read_facades", &facades_python, py::arg("folder"));
+  m.def("read_streets", &streets_python, py::arg("folder"));
 }
 
 }  // namespace ilot

@@ -194,12 +194,17 @@ py::dict run_python(const std::vector<std::filesystem::path>& inputs, const std:
   return dict_of(run_released(options, python));
 }
 
+constexpr const char* kKinds[] = {"boolean", "integer", "number", "integers", "numbers", "choice"};
+
 py::list parameters_python() {
   const Settings settings;
   py::list list;
   for (const Parameter& p : parameters()) {
     py::dict one;
     one["key"] = p.key;
+    one["kind"] = kKinds[static_cast<std::size_t>(p.kind)];
+    one["optional"] = p.optional;
+    one["choices"] = std::vector<std::string>(p.choices.begin(), p.choices.end());
     one["default"] = to_text(p.get(settings));
     one["range"] = range_text(p);
     one["unit"] = p.unit;
@@ -213,8 +218,9 @@ py::list parameters_python() {
 }  // namespace
 
 void bind_runs(py::module_& m) {
-  m.def("run", &run_python);
-  m.def("read_run", [](const std::filesystem::path& folder) { return dict_of(read_run(folder)); });
+  m.def("run", &run_python, py::arg("inputs"), py::arg("output"), py::arg("products"), py::arg("settings"));
+  m.def(
+      "read_run", [](const std::filesystem::path& folder) { return dict_of(read_run(folder)); }, py::arg("folder"));
   m.def("parameters", &parameters_python);
 }
 

@@ -122,6 +122,28 @@ class Quarter(unittest.TestCase):
                        for t, _ in self.walk(self.tileset["root"])), key=key)
         self.assertEqual([{k: t[k] for k in mine[0]} for t in read], mine)
 
+    @unittest.skipUnless(npm_has("3d-tiles-renderer"), "no node, or no 3d-tiles-renderer below ILOT_NPM")
+    def test_a_renderer(self):
+        """NASA's 3d-tiles-renderer finds the same tiles in the files of subtrees, each with the square and the error that follow
+        from the root, and with the same model."""
+        done = subprocess.run(["node", ROOT / "tests/oracles/subtrees_seen.mjs", self.made / "3dtiles"], capture_output=True, text=True, check=True)
+        key = lambda t: (t["level"], t["x"], t["y"])
+        read = sorted(json.loads(done.stdout), key=key)
+        box = self.tileset["root"]["boundingVolume"]["box"]
+        mine = []
+        for tile, _ in self.walk(self.tileset["root"]):
+            share = 2 * box[3] / 2 ** tile["level"]
+            x, y = (round((tile["square"][k][0] - box[k] + box[3 + 4 * k]) / share) for k in range(2))
+            mine.append({"level": tile["level"], "x": x, "y": y, "error": tile["implicitError"], "square": tile["square"],
+                         "content": tile["content"]["uri"] if "content" in tile else None})
+        for one, other in zip(read, sorted(mine, key=key), strict=True):
+            self.assertEqual([one[k] for k in ("level", "x", "y", "content")], [other[k] for k in ("level", "x", "y", "content")])
+            self.assertAlmostEqual(one["error"], other["error"], 6)
+            for k, (low, high) in enumerate(other["square"]):
+                half = one["box"][3 + 4 * k]
+                self.assertAlmostEqual(one["box"][k] - half, low, 6)
+                self.assertAlmostEqual(one["box"][k] + half, high, 6)
+
     def tables(self, glb):
         metadata = glb.json.get("extensions", {}).get("EXT_structural_metadata", {})
         return {t["name"]: t for t in (readers.property_table(glb, t) for t in metadata.get("propertyTables", []))}

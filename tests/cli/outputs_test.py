@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every file of a small run of four products and of its exports is opened by a reader that is not ilot's (docs/readers.md), and must
 hold as much as run.json says. A kind of file that no test reads is a fault. ILOT_EXE names the program."""
+import collections
 import csv
 import html.parser
 import json
 import pathlib
+import re
 import shutil
 import struct
 import subprocess
@@ -49,7 +51,7 @@ class Outputs(unittest.TestCase):
         for scene, points, cloud in zip(("street", "street-air"), (150000, 40000), cls.clouds):
             must("scan", scene, "-o", cloud, "--points", points, "--set", "scene.blocks=1", "-q")
         cls.out, cls.made = cls.folder / "out", cls.folder / "made"
-        must("run", *cls.clouds, "-o", cls.out, "--products", "planes,roofs,facades,streets", "-q", codes=(0, 3))
+        must("run", *cls.clouds, "-o", cls.out, "--products", "planes,roofs,facades,streets", "-q", "--set", "roofs.dtm=true", codes=(0, 3))
         must("export", cls.out, "--to", "glb,stl,ply,citygml,ifc,3dtiles", "-o", cls.made)
         must("convert", cls.out / "points" / "vehicle.laz", cls.made / "vehicle.copc.laz", "-q")
         cls.counts = json.loads((cls.out / "run.json").read_text())["counts"]
@@ -69,26 +71,37 @@ class Outputs(unittest.TestCase):
         kinds = {p.suffix for folder in (self.out, self.made) for p in folder.rglob("*") if p.is_file()}
         self.assertEqual(kinds - READ, set())
 
-    def layer(self, path, name):
-        """How many things GDAL finds in a layer, which must be in the reference system of the run."""
-        text = told("ogrinfo", "-ro", "-so", path, name)
-        self.assertIn(f'ID["EPSG",{CRS[5:]}]', text)
-        return int(text.split("Feature Count: ")[1].split()[0])
+    def layers(self, path):
+        """name -> (how many features, their geometry) as GDAL finds them; all are in the reference system of the run."""
+        found = {}
+        for name, kind in re.findall(r"^\d+: (\w+) \((.*)\)$", told("ogrinfo", "-ro", "-q", path), re.M):
+            if kind == "None":  # a table of styles
+                continue
+            text = told("ogrinfo", "-ro", "-so", path, name)
+            self.assertIn(f'ID["EPSG",{CRS[5:]}]', text)
+            found[name] = int(text.split("Feature Count: ")[1].split()[0]), kind
+        return found
 
     def test_geopackages(self):
-        expected = {"planes.gpkg": {"planes": self.counts["planes"]},
-                    "roofs.gpkg": {"buildings": self.counts["roofs"]["buildings"]},
-                    "blocks.gpkg": {"blocks": self.counts["streets"]["blocks"], "gaps": self.counts["streets"]["gaps"]},
-                    "objects.gpkg": {"objects": self.counts["streets"]["objects"]},
-                    "trees.gpkg": {"trees": self.counts["streets"]["trees"], "crowns": self.counts["streets"]["trees"]},
-                    "kerbs.gpkg": {"kerbs": self.counts["streets"]["kerbs"]}}
-        self.assertEqual({p.name for p in self.files(".gpkg")}, set(expected))
-        for path in self.files(".gpkg"):
-            for layer, count in expected[path.name].items():
-                self.assertEqual(self.layer(path, layer), count, f"{path.name}: {layer}")
+        counts, streets = self.counts, self.counts["streets"]
+        models = readers.city_models(self.out / "roofs" / "roofs.city.jsonl").values()
+        faces = sum(levels["2.2"].kinds.count("RoofSurface") for _, levels in models if "2.2" in levels)
+        expected = {"planes.gpkg": {"planes": (counts["planes"], "3D Multi Polygon")},
+                    "roofs.gpkg": {"buildings": (counts["roofs"]["buildings"], "Multi Polygon"), "roof_faces": (faces, "3D Polygon")},
+                    "blocks.gpkg": {"blocks": (streets["blocks"], "3D Line String"), "gaps": (streets["gaps"], "3D Line String")},
+                    "objects.gpkg": {"objects": (streets["objects"], "3D Point"), "extents": (streets["objects"], "Polygon")},
+                    "trees.gpkg": {"trees": (streets["trees"], "3D Point"), "crowns": (streets["trees"], "Polygon")},
+                    "kerbs.gpkg": {"kerbs": (streets["kerbs"], "3D Line String"), "heights": (self.kerb_vertices(), "3D Point")}}
+        self.assertEqual({p.name: self.layers(p) for p in self.files(".gpkg")}, expected)
+
+    def kerb_vertices(self):
+        """Places of measured heights: one at each vertex of a line that was seen."""
+        drawn = json.loads(told("ogr2ogr", "-f", "GeoJSON", "/vsistdout/", self.out / "streets" / "kerbs.gpkg", "kerbs"))["features"]
+        return sum(len(f["geometry"]["coordinates"]) for f in drawn if f["properties"]["seen"])
 
     def test_rasters(self):
         """GDAL reads every pixel (its checksum); pictures of facades lie where their .pgw says."""
+        self.assertEqual({p.stem for p in self.files(".tif")}, {"range", "accumulation", "ground", "artefacts", "dtm", "dtm_points"})
         for path in self.files(".tif", ".png"):
             copy = self.folder / path.name  # GDAL writes a file beside it
             shutil.copy(path, copy)
@@ -108,7 +121,7 @@ class Outputs(unittest.TestCase):
     def test_citygml(self):
         copy = self.folder / "copy.gml"  # GDAL writes a file beside it
         shutil.copy(self.made / "roofs.gml", copy)
-        self.assertEqual(self.layer(copy, "Building"), self.counts["roofs"]["buildings"])
+        self.assertEqual(self.layers(copy)["Building"][0], self.counts["roofs"]["buildings"])
 
     def test_drawings(self):
         python = python_with_ezdxf()
@@ -194,6 +207,33 @@ class Outputs(unittest.TestCase):
             tiles += tile.get("children", [])
             models |= {tile["content"]["uri"]} if "content" in tile else set()
         self.assertEqual(models, {f"{p.parent.name}/{p.name}" for p in self.files(".glb") if root.parent in p.parents})
+
+    @unittest.skipUnless(npm_has("3d-tiles-renderer"), "no node, or no 3d-tiles-renderer below ILOT_NPM")
+    def test_subtrees_by_another_reader(self):
+        """NASA's 3d-tiles-renderer finds each model in the files of subtrees."""
+        root, = [path.parent for path in self.files(".json") if path.name == "tileset.json"]
+        seen = json.loads(told("node", ROOT / "tests/oracles/subtrees_seen.mjs", root))
+        self.assertEqual(sorted(tile["content"] for tile in seen if tile["content"]),
+                         sorted(f"{p.parent.name}/{p.name}" for p in self.files(".glb") if root in p.parents))
+
+    @unittest.skipUnless(npm_has("cityjson-threejs-loader"), "no node, or no cityjson-threejs-loader below ILOT_NPM")
+    def test_cityjson(self):
+        """TU Delft's loader finds each building in every level of detail, with as much wall, roof and ground as the sequence has."""
+        seen = json.loads(told("node", ROOT / "tests/oracles/cityjson_seen.mjs", self.out / "roofs" / "roofs.city.json"))
+        models = readers.city_models(self.out / "roofs" / "roofs.city.jsonl")
+        self.assertEqual(set(seen), set(models))
+        self.assertTrue(any("1.3" in levels for _, levels in models.values()))
+        for name, (attributes, levels) in models.items():
+            self.assertEqual(seen[name]["type"], "Building")
+            self.assertEqual(set(seen[name]["levels"]), {"0", *levels})
+            self.assertAlmostEqual(seen[name]["levels"]["0"]["GroundSurface"], attributes["area_m2"], delta=0.01 * attributes["area_m2"])
+            for lod, solid in levels.items():
+                areas = collections.Counter()
+                for face, kind in zip(solid.faces, solid.kinds):
+                    areas[kind] += readers.area(solid.vertices, face)
+                self.assertEqual(set(seen[name]["levels"][lod]), set(areas))
+                for kind, area in areas.items():
+                    self.assertAlmostEqual(seen[name]["levels"][lod][kind], area, delta=1e-4 * area + 0.01)
 
     def test_texts(self):
         """JSON, CSV, SVG, HTML by Python's own readers; PDF by poppler; PLY and CityJSON by readers of their specifications."""

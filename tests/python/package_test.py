@@ -155,27 +155,6 @@ class Package(unittest.TestCase):
         identity, count = ilot.euclidean_clusters(x, y, z, 1.0)
         self.assertEqual(int(identity.max()) + 1, count)
 
-    def test_wrong_arrays_are_refused(self):
-        x, y, z = self.places
-        for bad, words in ((x.astype("f4"), "float32"), (x[::2], "contiguous"), (x.reshape(2, -1), "one dimension"),
-                           (x[:-1].copy(), "different lengths"), (x.astype(">f8"), "float64"), (np.array([]), "lengths"),
-                           (np.full_like(x, np.nan), "finite"), (list(x), "list"), (None, "NoneType"), (3.0, "float"),
-                           (np.array(3.0), "one dimension"), (x.astype(object), "object"), (x[::-1], "contiguous"),
-                           (np.ma.masked_array(x, x > x[0]), "mask"), (np.asfortranarray(x.reshape(2, -1)), "one dimension")):
-            self.refused(words, ilot.estimate_normals, bad, y, z)
-        empty = np.array([])
-        self.refused("there are none", ilot.estimate_normals, empty, empty, empty)
-        locked = x.copy()
-        locked.flags.writeable = False
-        ilot.estimate_normals(locked, y, z)  # arrays are read only
-        self.refused("at least 3", ilot.find_planes, x, y, z, min_points=-3)
-        with self.assertRaises(TypeError):
-            ilot.nearest_neighbours(x, y, z, 2.5)
-        self.refused("first=-1", ilot.read_cloud, self.cloud, first=-1)
-        self.refused("'classes'", ilot.read_cloud, self.cloud, extra="classes")
-        self.refused("uint8", ilot.write_cloud, self.folder / "w.laz", x, y, z, classification=x)
-        self.assertFalse((self.folder / "w.laz").exists())
-
     def test_wrong_words_are_refused(self):
         self.refused("planes.epsilon", ilot.run, self.cloud, self.folder / "w", settings={"planes.epsilom": 1})
         self.refused("512M", ilot.run, self.cloud, self.folder / "w", memory="lots")
