@@ -26,13 +26,6 @@ WallGroup with_room(const WallGroup& wall, const GrowthRoom& room, double metres
   return grown;
 }
 
-Box2 whole_box(const WallGroup& wall) {
-  Box2 box{0, wall.width, 0, wall.height};
-  for (const SparsePart& p : wall.sparse)
-    box = {std::min(box.u0, p.u0), std::max(box.u1, p.u1), std::min(box.v0, p.v0), std::max(box.v1, p.v1)};
-  return box;
-}
-
 void move_opening(double u, double v, FoundRectangle& r) {
   for (const Side side : kSides) {
     const double by = side == Side::left || side == Side::right ? u : v;
@@ -40,6 +33,51 @@ void move_opening(double u, double v, FoundRectangle& r) {
   }
   if (r.arc) r.arc->centre = {r.arc->centre.u + u, r.arc->centre.v + v};
   if (r.end) r.end = Box2{r.end->u0 + u, r.end->u1 + u, r.end->v0 + v, r.end->v1 + v};
+}
+
+// Where points are sparse, cells without a point hide a narrow pier or a floor between openings, but some points of the
+// wall are on it. Cuts an opening at such points; a piece without room for an opening is dropped.
+std::vector<FoundRectangle> cut_at_wall(const RaySamples& samples, const FoundRectangle& r, double least_size) {
+  // Choice: a frame in the plane of the wall is at the sides; an edge is known to so much where it is seen.
+  constexpr double kInside = 0.1;  // metres from the sides
+  const Box2 box = r.box(), inner{box.u0 + kInside + r.error(Side::left), box.u1 - kInside - r.error(Side::right),
+                                  box.v0 + kInside + r.error(Side::bottom), box.v1 - kInside - r.error(Side::top)};
+  std::vector<double> wall, open;
+  for (const Ray& ray : samples.near(box)) {
+    const Place2 p = samples.crossing(ray, 0);
+    if (samples.on_wall(ray) && inner.contains(p)) wall.push_back(p.u);
+    if (!samples.on_wall(ray) && ray.at.w < 0 && box.contains(p)) open.push_back(p.u);
+  }
+  if (wall.empty() || !r.is_rectangle()) return {r};
+  std::sort(wall.begin(), wall.end()), std::sort(open.begin(), open.end());
+  std::vector<FoundRectangle> pieces;
+  FoundRectangle rest = r;
+  const auto take = [&](FoundRectangle piece) {
+    if (piece.box().width() >= least_size) pieces.push_back(std::move(piece));
+  };
+  for (std::size_t i = 0; i < wall.size();) {
+    std::size_t k = i;  // points of one pier: between them there is no room for an opening
+    while (k + 1 < wall.size() && wall[k + 1] - wall[k] < least_size) ++k;
+    if (k == i) {  // one point may be stray
+      ++i;
+      continue;
+    }
+    const auto after = std::upper_bound(open.begin(), open.end(), wall[k]);
+    const auto before = std::lower_bound(open.begin(), open.end(), wall[i]);
+    const auto edge = [&](double wall_at, double open_at) {
+      LocatedEdge e;
+      e.at = e.inner = (wall_at + open_at) / 2;
+      e.error = std::abs(wall_at - open_at) / 2 + samples.site().step;
+      return e;
+    };
+    FoundRectangle piece = rest;
+    piece.side(Side::right) = edge(wall[i], before == open.begin() ? wall[i] : *(before - 1));
+    take(std::move(piece));
+    rest.side(Side::left) = edge(wall[k], after == open.end() ? wall[k] : *after);
+    i = k + 1;
+  }
+  take(std::move(rest));
+  return pieces;
 }
 
 // An opening may be found in two parts.
@@ -77,10 +115,11 @@ void find_sparse_parts(const FacadeWork& work, std::span<WallGroup> walls, const
         });
     wall.sparse = growth.parts();
   });
+  share_growth(walls, kReach, params);
 }
 
 WallGroup group_of_part(const WallGroup& wall, const SparsePart& part, double metres_per_unit) {
-  const Box2 whole = whole_box(wall);
+  const Box2 whole = grown_box(wall);
   const Box2 box{std::max(whole.u0, part.u0 - kAroundPart), std::min(whole.u1, part.u1 + kAroundPart),
                  std::max(whole.v0, part.v0 - kAroundPart), std::min(whole.v1, part.v1 + kAroundPart)};
   WallGroup group = wall;
@@ -113,17 +152,20 @@ std::uint64_t bytes_of_sparse_parts(const FacadeWork& work, const WallGroup& wal
 
 SparseFindings sparse_findings(const FacadeWork& work, const WallGroup& wall, const OpeningParams& params) {
   SparseFindings all;
-  all.box = whole_box(wall);
+  all.box = grown_box(wall);
   for (const SparsePart& part : wall.sparse) {
     const GatheredFacade gathered = gather_facade(work, group_of_part(wall, part, work.metres_per_unit));
     const RaySamples samples(gathered.site, gathered.points, work.store.folder(), gathered.far);
     std::vector<UnseenArea> unseen;
-    std::vector<FoundRectangle> found = find_openings(samples, params, nullptr, &unseen);
+    const std::vector<FoundRectangle> found = find_openings(samples, params, nullptr, &unseen);
     const double units = work.metres_per_unit;
     const Vec3 from = units * (gathered.site.axes.origin - wall.axes.origin);
     const double u = dot(from, wall.axes.right), v = dot(from, wall.axes.up);
-    for (FoundRectangle& r : found) move_opening(u, v, r);
-    add_new(std::move(found), all.openings);
+    std::vector<FoundRectangle> pieces;
+    for (const FoundRectangle& r : found)
+      for (FoundRectangle& piece : cut_at_wall(samples, r, params.least_size)) pieces.push_back(std::move(piece));
+    for (FoundRectangle& r : pieces) move_opening(u, v, r);
+    add_new(std::move(pieces), all.openings);
     for (UnseenArea& area : unseen) {
       for (Place2& p : area.ring) p = {p.u + u, p.v + v};
       const Box2 box = box_of(area.ring);
@@ -136,7 +178,7 @@ SparseFindings sparse_findings(const FacadeWork& work, const WallGroup& wall, co
 }
 
 void include_sparse_parts(WallGroup& wall, double metres_per_unit) {
-  const Box2 box = whole_box(wall);
+  const Box2 box = grown_box(wall);
   wall.axes.origin = wall.axes.origin + (box.u0 / metres_per_unit) * wall.axes.right;
   wall.core0 -= box.u0, wall.core1 -= box.u0;
   wall.above = std::max(0.0, wall.above - (box.v1 - wall.height));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "engine/products/facades/walls/box_grid.h"
 #include "kernels/core/portable_math.h"
@@ -43,26 +44,30 @@ FlatBox plan_box(const WallGroup& wall, double metres) {
   return box;
 }
 
-// Ends the room of a wall where another one along it begins.
-void limit(const WallGroup& wall, const WallGroup& other, const WallParams& params, GrowthRoom& room) {
+// The box of another wall in the axes of a wall, if it is along it: of its planes, or with its sparse parts.
+std::optional<Box2> box_along(const WallGroup& wall, const WallGroup& other, const Box2& box, const WallParams& params) {
   const double metres = params.metres_per_unit, turn = dot(wall.axes.out, other.axes.out);
-  if (std::abs(turn) < cos_degrees(kTurned)) return;
+  if (std::abs(turn) < cos_degrees(kTurned)) return std::nullopt;
   const Vec3 d = metres * (other.axes.origin - wall.axes.origin);
-  if (std::abs(dot(d, wall.axes.out)) > params.relief_front) return;
-  const double u0 = dot(d, wall.axes.right) - (turn > 0 ? 0 : other.width), u1 = u0 + other.width;
-  const double v0 = dot(d, wall.axes.up), v1 = v0 + other.height;
-  if (std::min(u1, wall.width) - std::max(u0, 0.0) > kOverlap) {
-    if (v0 >= wall.height - kOverlap) room.top = std::min(room.top, std::max(0.0, v0 - wall.height));
-    return;
-  }
-  if (std::min(v1, wall.height) - std::max(v0, 0.0) <= kOverlap) return;
-  if (u0 >= wall.width - kOverlap) room.right = std::min(room.right, std::max(0.0, u0 - wall.width));
-  if (u1 <= kOverlap) room.left = std::min(room.left, std::max(0.0, -u1));
+  if (std::abs(dot(d, wall.axes.out)) > params.relief_front) return std::nullopt;
+  const double u = dot(d, wall.axes.right), v = dot(d, wall.axes.up);
+  return Box2{turn > 0 ? u + box.u0 : u - box.u1, turn > 0 ? u + box.u1 : u - box.u0, v + box.v0, v + box.v1};
 }
 
-}  // namespace
+// Ends the room of a wall where another one along it begins.
+void limit(const WallGroup& wall, const Box2& other, GrowthRoom& room) {
+  if (std::min(other.u1, wall.width) - std::max(other.u0, 0.0) > kOverlap) {
+    if (other.v0 >= wall.height - kOverlap) room.top = std::min(room.top, std::max(0.0, other.v0 - wall.height));
+    return;
+  }
+  if (std::min(other.v1, wall.height) - std::max(other.v0, 0.0) <= kOverlap) return;
+  if (other.u0 >= wall.width - kOverlap) room.right = std::min(room.right, std::max(0.0, other.u0 - wall.width));
+  if (other.u1 <= kOverlap) room.left = std::min(room.left, std::max(0.0, -other.u1));
+}
 
-std::vector<GrowthRoom> growth_rooms(std::span<const WallGroup> walls, double reach, const WallParams& params) {
+// For each wall those that may reach it when both grow.
+template <class Visit>
+void for_each_neighbour(std::span<const WallGroup> walls, double reach, const WallParams& params, const Visit& visit) {
   // Choice: a cell has a few walls; time alone depends on it.
   constexpr double kNeighbours = 16;  // metres
   BoxGrid grid(kNeighbours / params.metres_per_unit);
@@ -71,11 +76,57 @@ std::vector<GrowthRoom> growth_rooms(std::span<const WallGroup> walls, double re
     plans.push_back(plan_box(walls[i], params.metres_per_unit).grown(params.relief_front / params.metres_per_unit));
     grid.add(static_cast<std::uint32_t>(i), plans[i]);
   }
-  std::vector<GrowthRoom> rooms(walls.size(), {reach, reach, reach});
   for (std::size_t i = 0; i < walls.size(); ++i)
     for (const std::uint32_t k : grid.near(plans[i].grown(reach / params.metres_per_unit)))
-      if (k != i) limit(walls[i], walls[k], params, rooms[i]);
+      if (k != i) visit(i, k);
+}
+
+// Cuts the sparse parts of a wall where they lie on a box.
+void give_way(const Box2& other, WallGroup& wall) {
+  GrowthRoom room{INFINITY, INFINITY, INFINITY};
+  limit(wall, other, room);
+  Box2 whole{0, wall.width, 0, wall.height};
+  for (SparsePart& p : wall.sparse) {
+    if (!p.upright) {  // those above come last
+      p.u0 = std::max(p.u0, whole.u0), p.u1 = std::min(p.u1, whole.u1);
+      // A wall beside this one that is higher ends its upper part too.
+      if (other.v0 < p.v1 && other.v1 > p.v0 && other.u0 >= wall.width - kOverlap) p.u1 = std::min(p.u1, wall.width);
+      if (other.v0 < p.v1 && other.v1 > p.v0 && other.u1 <= kOverlap) p.u0 = std::max(p.u0, 0.0);
+      p.v1 = std::min(p.v1, wall.height + room.top);
+      continue;
+    }
+    p.u1 = std::min(p.u1, wall.width + room.right), p.u0 = std::max(p.u0, -room.left);
+    if (p.u1 - p.u0 >= kLeastGrowth) whole.u0 = std::min(whole.u0, p.u0), whole.u1 = std::max(whole.u1, p.u1);
+  }
+  std::erase_if(wall.sparse, [](const SparsePart& p) {
+    return p.u1 - p.u0 < kLeastGrowth || p.v1 - p.v0 < kLeastGrowth;
+  });
+}
+
+}  // namespace
+
+std::vector<GrowthRoom> growth_rooms(std::span<const WallGroup> walls, double reach, const WallParams& params) {
+  std::vector<GrowthRoom> rooms(walls.size(), {reach, reach, reach});
+  for_each_neighbour(walls, reach, params, [&](std::size_t i, std::size_t k) {
+    const WallGroup& other = walls[k];
+    if (const auto box = box_along(walls[i], other, {0, other.width, 0, other.height}, params))
+      limit(walls[i], *box, rooms[i]);
+  });
   return rooms;
+}
+
+Box2 grown_box(const WallGroup& wall) {
+  Box2 box{0, wall.width, 0, wall.height};
+  for (const SparsePart& p : wall.sparse)
+    box = {std::min(box.u0, p.u0), std::max(box.u1, p.u1), std::min(box.v0, p.v0), std::max(box.v1, p.v1)};
+  return box;
+}
+
+void share_growth(std::span<WallGroup> walls, double reach, const WallParams& params) {
+  for_each_neighbour(walls, 2 * reach, params, [&](std::size_t i, std::size_t k) {
+    if (k > i || walls[i].sparse.empty()) return;
+    if (const auto box = box_along(walls[i], walls[k], grown_box(walls[k]), params)) give_way(*box, walls[i]);
+  });
 }
 
 double WallGrowth::depth(double epsilon) {

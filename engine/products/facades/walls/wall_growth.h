@@ -62,4 +62,11 @@ class WallGrowth {
   std::vector<double> low_u_, high_u_, high_v_;  // of all points, by column and by row
 };
 
+// The box of a wall with its sparse parts, in its axes.
+Box2 grown_box(const WallGroup& wall);
+
+// Two walls that end apart may both have grown into the place between them: it belongs to the larger one. The walls are
+// in the order of their area. Each wall looks only at those around it.
+void share_growth(std::span<WallGroup> walls, double reach, const WallParams& params);
+
 }  // namespace ilot
