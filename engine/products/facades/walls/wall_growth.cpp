@@ -56,13 +56,11 @@ std::optional<Box2> box_along(const WallGroup& wall, const WallGroup& other, con
 
 // Ends the room of a wall where another one along it begins.
 void limit(const WallGroup& wall, const Box2& other, GrowthRoom& room) {
-  if (std::min(other.u1, wall.width) - std::max(other.u0, 0.0) > kOverlap) {
-    if (other.v0 >= wall.height - kOverlap) room.top = std::min(room.top, std::max(0.0, other.v0 - wall.height));
-    return;
-  }
+  if (std::min(other.u1, wall.width) - std::max(other.u0, 0.0) > kOverlap && other.v1 > wall.height)
+    room.top = std::min(room.top, std::max(0.0, other.v0 - wall.height));
   if (std::min(other.v1, wall.height) - std::max(other.v0, 0.0) <= kOverlap) return;
-  if (other.u0 >= wall.width - kOverlap) room.right = std::min(room.right, std::max(0.0, other.u0 - wall.width));
-  if (other.u1 <= kOverlap) room.left = std::min(room.left, std::max(0.0, -other.u1));
+  if (other.u1 > wall.width) room.right = std::min(room.right, std::max(0.0, other.u0 - wall.width));
+  if (other.u0 < 0) room.left = std::min(room.left, std::max(0.0, -other.u1));
 }
 
 // For each wall those that may reach it when both grow.
@@ -124,8 +122,10 @@ Box2 grown_box(const WallGroup& wall) {
 
 void share_growth(std::span<WallGroup> walls, double reach, const WallParams& params) {
   for_each_neighbour(walls, 2 * reach, params, [&](std::size_t i, std::size_t k) {
-    if (k > i || walls[i].sparse.empty()) return;
-    if (const auto box = box_along(walls[i], walls[k], grown_box(walls[k]), params)) give_way(*box, walls[i]);
+    if (walls[i].sparse.empty()) return;
+    const Box2 own{0, walls[k].width, 0, walls[k].height};
+    if (const auto box = box_along(walls[i], walls[k], k < i ? grown_box(walls[k]) : own, params))
+      give_way(*box, walls[i]);
   });
 }
 
