@@ -8,10 +8,11 @@
 // learns from both, and each kind is evaluated separately. With --roles MODEL, the roles are those of that model, and
 // only the classes are learnt. With --thin N, the classes are also learnt from one point in N of each street, with
 // --bare H from each street without its ground and what is higher than H; the roles are not, unless --all-roles is
-// given. Where there are many streets, the folds of the training keep each of them together.
+// given. With --in-turn, each street is used as it is and in one of these ways in turn. Where there are many streets,
+// the folds of the training keep each of them together.
 //
-// Usage: study_streets STREET.laz... [--cut H] [--bare H] [--thin N]... [--all-roles] [--air] [--cache FOLDER]
-//        [--model FILE] [--roles MODEL] [--judge MODEL] [--only-model | --everything | --shipped]
+// Usage: study_streets STREET.laz... [--cut H] [--bare H] [--thin N]... [--all-roles] [--in-turn] [--air]
+//        [--cache FOLDER] [--model FILE] [--roles MODEL] [--judge MODEL] [--only-model | --everything | --shipped]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,6 +26,7 @@
 #include "kernels/core/parallel.h"
 #include "kernels/core/portable_math.h"
 #include "study/confusion.h"
+#include "study/stated.h"
 #include "study/street_samples.h"
 #include "training/object_model_training.h"
 
@@ -40,7 +42,7 @@ struct Arguments {
   fs::path cache, model, roles, judged;
   double cut = 0;
   std::vector<Leaving> others;  // the classes are also learnt from them
-  bool evaluate = true, four_classes = true, shipped = false, air = false, all_roles = false;
+  bool evaluate = true, four_classes = true, shipped = false, air = false, all_roles = false, in_turn = false;
 };
 
 // Returns for each object that was found the object candidate that overlaps it best, with one of the four classes of
@@ -60,34 +62,6 @@ void print_ranking(const std::vector<TrainingSample>& samples, const ObjectTrain
   for (const std::size_t f : selected_features(samples, params)) fmt::print(" {},", candidate_feature_name(f));
   fmt::print("\n");
 }
-
-// Stated probabilities of objects in tenths, against how many are right (Guo, Pleiss, Sun and Weinberger 2017).
-struct Stated {
-  struct Bin {
-    std::uint64_t count = 0, right = 0;
-    double sum = 0;
-  };
-  std::array<Bin, 10> bins;
-
-  void add(double probability, bool right) {
-    Bin& b = bins[std::min<std::size_t>(9, static_cast<std::size_t>(10 * probability))];
-    ++b.count, b.right += right, b.sum += probability;
-  }
-  void print(const char* of) const {
-    std::uint64_t count = 0, right = 0;
-    double error = 0, sum = 0;
-    for (const Bin& b : bins) {
-      count += b.count, right += b.right, sum += b.sum;
-      error += std::abs(b.sum - static_cast<double>(b.right));
-    }
-    if (count == 0) return;
-    const auto n = static_cast<double>(count);
-    fmt::print("  probabilities of {}: {} objects, calibration error {:.3f}, stated {:.3f}, right {:.3f};", of, count,
-               error / n, sum / n, static_cast<double>(right) / n);
-    fmt::print(" of {} with 0.9 and more {} right\n", bins[9].count, bins[9].right);
-  }
-};
-using StatedOf = std::map<std::string, Stated>;  // by class, and "all"
 
 // Evaluates the result that a run would give: the candidates that are whole, by class. All objects with points on them
 // count.
@@ -189,7 +163,7 @@ void print_kind(Confusion& all, RunShares& shares, StatedOf& stated, const std::
   fmt::print("  streets {}:\n", kind);
   print_confusion(all);
   print_intervals(shares);
-  for (const auto& [of, bins] : stated) bins.print(of.c_str());
+  for (const auto& [of, bins] : stated) print_stated(of, bins);
   all.clear();
   shares.clear();
   stated.clear();
@@ -261,6 +235,7 @@ std::string recipe_of(const Arguments& a, std::size_t samples) {
   for (const std::string& c : a.clouds) text += " " + fs::path(c).filename().string();
   if (a.cut > 0) text += fmt::format(" --cut {}", a.cut);
   for (const Leaving& leaving : a.others) text += leaving.option();
+  if (a.in_turn) text += " --in-turn";
   if (a.all_roles) text += " --all-roles";
   if (!a.roles.empty()) text += " --roles " + a.roles.filename().string();
   text += " --only-model --model " + a.model.filename().string() + "\n";
@@ -332,6 +307,8 @@ Arguments read_arguments(const std::vector<std::string>& words) {
       a.roles = words[++i];
     else if (words[i] == "--judge" && i + 1 < words.size())
       a.judged = words[++i], a.evaluate = false;
+    else if (words[i] == "--in-turn")
+      a.in_turn = true;
     else if (words[i] == "--all-roles")
       a.all_roles = true;
     else if (words[i] == "--only-model")
@@ -347,7 +324,18 @@ Arguments read_arguments(const std::vector<std::string>& words) {
   }
   if (a.clouds.empty())
     throw std::runtime_error("usage: study_streets STREET.laz... [--cut H] [--cache FOLDER] [--model FILE]");
+  if (a.in_turn && a.cut > 0) a.others.insert(a.others.begin(), {a.cut, 1, false}), a.cut = 0;
+  if (a.in_turn && a.others.empty()) throw std::runtime_error("--in-turn needs --cut, --bare or --thin");
   return a;
+}
+
+// The streets with points left out, as many as there are clouds for each way, or for all ways in turn.
+std::vector<Street> other_streets(const Arguments& a) {
+  std::vector<Street> others;
+  for (std::size_t w = 0; w < (a.in_turn ? 1 : a.others.size()); ++w)
+    for (std::size_t c = 0; c < a.clouds.size(); ++c)
+      others.push_back(street_of(a.clouds[c], a.others[a.in_turn ? c % a.others.size() : w], a.cache));
+  return others;
 }
 
 void run(const Arguments& a) {
@@ -357,15 +345,14 @@ void run(const Arguments& a) {
   if (a.cut > 0)
     for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, {a.cut, 1, false}, a.cache));
   const std::size_t different = whole.size();
-  std::vector<Street> others;
-  for (const Leaving& leaving : a.others)
-    for (const std::string& cloud : a.clouds) others.push_back(street_of(cloud, leaving, a.cache));
+  const std::vector<Street> others = other_streets(a);
   if (a.shipped || !a.judged.empty()) {
     std::vector<Street> judged = streets;
     judged.insert(judged.end(), others.begin(), others.end());
     std::vector<std::string> kinds{"as they are"};
     if (a.cut > 0) kinds.emplace_back("cut");
     for (const Leaving& leaving : a.others) kinds.push_back(leaving.option());
+    if (a.in_turn) kinds = {"as they are", "with points left out in turn"};
     if (a.shipped) evaluate_model(judged, different, kinds, a.air ? air_object_model() : default_object_model());
     if (!a.judged.empty()) evaluate_model(judged, different, kinds, read_model(a.judged));
   }
