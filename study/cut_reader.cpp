@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/cut_reader.h"
 
-#include <cstring>
+#include <fmt/format.h>
 
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "engine/proof/point_stream.h"
 #include "kernels/core/rng.h"
 
 namespace ilot {
@@ -59,6 +65,19 @@ class ThinReader : public SomePoints {
   std::uint64_t of_;
 };
 
+class BareReader : public SomePoints {
+ public:
+  explicit BareReader(std::unique_ptr<PointReader> reader)
+      : SomePoints(std::move(reader)), true_class_(*find_integer_field(info().layout, "true_class")) {}
+
+ private:
+  static constexpr std::int64_t kGround = 1;
+  bool keeps(std::uint64_t, const std::byte* record) const override {
+    return integer_of(record, true_class_) != kGround;
+  }
+  ExtraField true_class_;
+};
+
 }  // namespace
 
 std::unique_ptr<PointReader> cut_above(std::unique_ptr<PointReader> reader, const CutPlane& plane, double height) {
@@ -67,6 +86,53 @@ std::unique_ptr<PointReader> cut_above(std::unique_ptr<PointReader> reader, cons
 
 std::unique_ptr<PointReader> thinned(std::unique_ptr<PointReader> reader, std::uint32_t of) {
   return std::make_unique<ThinReader>(std::move(reader), of);
+}
+
+std::unique_ptr<PointReader> without_ground(std::unique_ptr<PointReader> reader) {
+  return std::make_unique<BareReader>(std::move(reader));
+}
+
+std::string Leaving::name() const {
+  return (cut > 0 ? fmt::format(".cut{}", cut) : "") + (ground ? ".bare" : "") +
+         (one_in > 1 ? fmt::format(".thin{}", one_in) : "");
+}
+
+std::string Leaving::option() const {
+  if (one_in > 1) return fmt::format(" --thin {}", one_in);
+  return cut > 0 ? fmt::format(" --{} {}", ground ? "bare" : "cut", cut) : "";
+}
+
+bool is_leaving(const std::string& word) {
+  return word == "--cut" || word == "--bare" || word == "--thin";
+}
+
+Leaving leaving_of(const std::string& word, const std::string& value) {
+  if (word == "--thin") return {0, static_cast<std::uint32_t>(std::stoul(value)), false};
+  return {std::stod(value), 1, word == "--bare"};
+}
+
+CutPlane road_plane(const std::filesystem::path& cloud) {
+  const std::filesystem::path path = std::filesystem::path(cloud).replace_extension(".truth.json");
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error(path.string() + ": no truth");
+  const auto root = nlohmann::json::parse(file);
+  CutPlane road;
+  std::uint64_t most = 0;
+  for (const auto& p : root.at("planes")) {
+    if (p.at("class") != "ground" || p.at("points") <= most) continue;
+    most = p.at("points");
+    const auto& v = p.at("plane");
+    road = {v[0], v[1], v[2], v[3]};
+  }
+  return road;
+}
+
+std::unique_ptr<PointReader> open_street(const std::filesystem::path& cloud, const Leaving& leaving) {
+  std::unique_ptr<PointReader> reader = open_cloud(cloud);
+  if (leaving.cut > 0) reader = cut_above(std::move(reader), road_plane(cloud), leaving.cut);
+  if (leaving.ground) reader = without_ground(std::move(reader));
+  if (leaving.one_in > 1) reader = thinned(std::move(reader), leaving.one_in);
+  return reader;
 }
 
 }  // namespace ilot

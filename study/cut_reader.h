@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A cloud without some of its points: those high above the ground, as some scans are cut for privacy or to save space,
-// or all but a share of them.
+// those of the ground, which some scans come without, or all but a share of them.
 #pragma once
+#include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <string>
 
 #include "engine/formats/reader.h"
 
@@ -18,5 +21,28 @@ std::unique_ptr<PointReader> cut_above(std::unique_ptr<PointReader> reader, cons
 
 // Returns a reader of one in `of` points of another reader, drawn at random by their number. The others are rejected.
 std::unique_ptr<PointReader> thinned(std::unique_ptr<PointReader> reader, std::uint32_t of);
+
+// Which points of a street are left out.
+struct Leaving {
+  double cut = 0;              // metres above the road; higher points are left out; 0: none
+  std::uint32_t one_in = 1;    // one point in so many is kept
+  bool ground = false;         // points whose true class is the ground are left out
+  std::string name() const;    // empty where nothing is left out
+  std::string option() const;  // of a command, with a blank before it
+};
+
+// The options of commands: --cut H, --bare H (cut, and without the ground), --thin N.
+bool is_leaving(const std::string& word);
+Leaving leaving_of(const std::string& word, const std::string& value);
+
+// Returns the plane of the road: the ground with the most points in the truth beside a cloud. Throws where there is
+// none.
+CutPlane road_plane(const std::filesystem::path& cloud);
+
+// Returns a reader of the points of another reader that are not of the ground, by the field `true_class`.
+std::unique_ptr<PointReader> without_ground(std::unique_ptr<PointReader> reader);
+
+// Opens a cloud with a truth beside it, without the points that are left out.
+std::unique_ptr<PointReader> open_street(const std::filesystem::path& cloud, const Leaving& leaving);
 
 }  // namespace ilot

@@ -15,7 +15,6 @@
 #include "engine/products/streets/make_streets.h"
 #include "engine/proof/point_stream.h"
 #include "engine/whole_file.h"
-#include "study/cut_reader.h"
 
 namespace ilot {
 namespace {
@@ -38,7 +37,6 @@ struct MatchedObject {
 
 struct TrueStreet {
   std::map<std::uint32_t, MatchedObject> objects;
-  CutPlane ground;                            // plane of the road
   std::vector<std::pair<Vec3, Vec3>> blocks;  // left sides of the blocks, along the street
   std::vector<Vec3> trees;                    // their bases, where the truth has them
 };
@@ -55,13 +53,6 @@ TrueStreet read_street(const fs::path& cloud) {
   TrueStreet street;
   for (const auto& o : root.at("objects"))
     street.objects[o.at("id")] = {o.at("class"), o.at("variant"), 0, !o.at("touches").empty()};
-  std::uint64_t most = 0;
-  for (const auto& p : root.at("planes")) {
-    if (p.at("class") != "ground" || p.at("points") <= most) continue;
-    most = p.at("points");
-    const auto& v = p.at("plane");
-    street.ground = {v[0], v[1], v[2], v[3]};
-  }
   if (root.contains("trees"))
     for (const auto& t : root.at("trees")) street.trees.push_back(vec(t.at("base")));
   for (const auto& b : root.at("blocks"))
@@ -288,19 +279,13 @@ std::string name_of(PointLabel label) {
   return label == PointLabel::none ? "none" : point_label_names().at(static_cast<std::uint32_t>(label));
 }
 
-std::string Leaving::name() const {
-  return (cut > 0 ? fmt::format(".cut{}", cut) : "") + (one_in > 1 ? fmt::format(".thin{}", one_in) : "");
-}
-
 Street study(const fs::path& cloud, const Leaving& leaving) {
   TrueStreet truth = read_street(cloud);
   const fs::path folder = fs::temp_directory_path() / ("bench_streets_" + cloud.stem().string() + leaving.name());
   fs::remove_all(folder);
   fs::create_directories(folder);
   std::vector<std::unique_ptr<PointReader>> readers;
-  readers.push_back(open_cloud(cloud));
-  if (leaving.cut > 0) readers[0] = cut_above(std::move(readers[0]), truth.ground, leaving.cut);
-  if (leaving.one_in > 1) readers[0] = thinned(std::move(readers[0]), leaving.one_in);
+  readers.push_back(open_street(cloud, leaving));
   PassContext context;
   const IndexResult index = build_index(readers, {}, folder, context);
   const FoundStreet found = find_street(index.store, {}, context);

@@ -9,6 +9,7 @@
 
 #include "engine/products/streets/classes/training_sample.h"
 #include "ilot/settings.h"
+#include "study/cut_reader.h"
 #include "study/street_bounds.h"
 
 namespace ilot {
@@ -30,13 +31,6 @@ struct Street {
 const std::vector<std::string>& object_classes();
 PointLabel label_of(const std::string& name);
 std::string name_of(PointLabel label);
-
-// Which points of a street are left out.
-struct Leaving {
-  double cut = 0;            // metres above the road; higher points are left out; 0: none
-  std::uint32_t one_in = 1;  // one point in so many is kept
-  std::string name() const;  // empty where nothing is left out
-};
 
 // Finds the object candidates of a cloud as a run does, and compares them with the truth in the same folder. Prints the
 // objects that no candidate overlaps by half. Throws where there is no truth. The trunks of trees are objects too, of

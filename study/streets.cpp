@@ -3,12 +3,16 @@
 // compares them with their truth. Prints how many objects are found, which features separate them and in which order,
 // and the confusion matrix of a cross-validation by block, with the features of the document and with ours. With
 // --model, the classifier that is trained on all data is written. With --shipped, the default model is evaluated on
-// streets that it has not seen; with --air, the default model for clouds from the air is used. With --cut H, each
-// street is used twice: as it is, and without the points higher than H metres above the road. The classifier learns
-// from both, and each kind is evaluated separately. With --roles MODEL, the roles are those of that model, and only the
-// classes are learnt. With --thin N, the classes are also learnt from one point in N of each street, the roles are not.
-// Usage: study_streets STREET.laz... [--cut H] [--thin N]... [--air] [--cache FOLDER] [--model FILE] [--roles MODEL]
-//        [--only-model | --everything | --shipped]
+// streets that it has not seen, with --air that for clouds from the air, with --judge MODEL another one. With --cut H,
+// each street is used twice: as it is, and without the points higher than H metres above the road. The classifier
+// learns from both, and each kind is evaluated separately. With --roles MODEL, the roles are those of that model, and
+// only the classes are learnt. With --thin N, the classes are also learnt from one point in N of each street, with
+// --bare H from each street without its ground and what is higher than H; the roles are not, unless --all-roles is
+// given. With --in-turn, each street is used as it is and in one of these ways in turn. Where there are many streets,
+// the folds of the training keep each of them together.
+//
+// Usage: study_streets STREET.laz... [--cut H] [--bare H] [--thin N]... [--all-roles] [--in-turn] [--air]
+//        [--cache FOLDER] [--model FILE] [--roles MODEL] [--judge MODEL] [--only-model | --everything | --shipped]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,6 +26,7 @@
 #include "kernels/core/parallel.h"
 #include "kernels/core/portable_math.h"
 #include "study/confusion.h"
+#include "study/stated.h"
 #include "study/street_samples.h"
 #include "training/object_model_training.h"
 
@@ -30,12 +35,14 @@ namespace {
 using namespace ilot;
 namespace fs = std::filesystem;
 
+constexpr std::size_t kManyStreets = 20;  // four in each fold
+
 struct Arguments {
   std::vector<std::string> clouds;
-  fs::path cache, model, roles;
+  fs::path cache, model, roles, judged;
   double cut = 0;
-  std::vector<std::uint32_t> thin;
-  bool evaluate = true, four_classes = true, shipped = false, air = false;
+  std::vector<Leaving> others;  // the classes are also learnt from them
+  bool evaluate = true, four_classes = true, shipped = false, air = false, all_roles = false, in_turn = false;
 };
 
 // Returns for each object that was found the object candidate that overlaps it best, with one of the four classes of
@@ -59,13 +66,16 @@ void print_ranking(const std::vector<TrainingSample>& samples, const ObjectTrain
 // Evaluates the result that a run would give: the candidates that are whole, by class. All objects with points on them
 // count.
 void evaluate_selection(const Street& street, const std::vector<CandidateClass>& classes, Confusion& all,
-                        RunShares& shares) {
+                        RunShares& shares, StatedOf& stated) {
   const std::vector<std::uint8_t> taken = select_objects(street.candidates, classes);
   Confusion m, judged;
   std::map<std::string, std::uint64_t> detected;
   std::uint64_t wrong = 0, right = 0, objects = 0;
   for (std::size_t i = 0; i < taken.size(); ++i) {
     if (taken[i] == 0 || !is_street_object(classes[i].label)) continue;
+    const bool named = street.object[i] != 0 && street.classes.at(street.object[i]) == classes[i].label;
+    for (const std::string& of : {std::string("all"), name_of(classes[i].label)})
+      stated[of].add(classes[i].probability, named);
     if (street.object[i] == 0) {
       ++wrong;
       ++m[is_street_object(street.samples[i].label) ? PointLabel::none : street.samples[i].label][classes[i].label];
@@ -126,13 +136,15 @@ void print_trade(const std::vector<Street>& streets, const std::vector<std::vect
 }
 
 // Collects the samples of all streets and keeps their blocks separate. The list repeats the streets after `different`
-// of them.
-std::vector<TrainingSample> pooled(const std::vector<std::vector<TrainingSample>>& streets, std::size_t different) {
+// of them. With `streets_whole`, a street is one group.
+std::vector<TrainingSample> pooled(const std::vector<std::vector<TrainingSample>>& streets, std::size_t different,
+                                   bool streets_whole = false) {
   std::vector<TrainingSample> all;
   for (std::size_t s = 0; s < streets.size(); ++s) {
     const auto before = static_cast<std::uint32_t>(all.size());
     for (TrainingSample sample : streets[s]) {
-      sample.group += static_cast<std::uint32_t>(1000 * (s % different));
+      sample.group = streets_whole ? static_cast<std::uint32_t>(s % different)
+                                   : sample.group + static_cast<std::uint32_t>(1000 * (s % different));
       for (std::uint32_t& part : sample.parts) part += part != 0 ? before : 0;
       all.push_back(sample);
     }
@@ -147,12 +159,14 @@ Confusion confusion_of(const std::vector<TrainingSample>& samples, const std::ve
 }
 
 // Prints the figures of streets of one kind and resets them.
-void print_kind(Confusion& all, RunShares& shares, const char* kind) {
+void print_kind(Confusion& all, RunShares& shares, StatedOf& stated, const std::string& kind) {
   fmt::print("  streets {}:\n", kind);
   print_confusion(all);
   print_intervals(shares);
+  for (const auto& [of, bins] : stated) print_stated(of, bins);
   all.clear();
   shares.clear();
+  stated.clear();
 }
 
 // One cross-validation over the blocks of all streets. It evaluates either what the document does, with 4 classes of
@@ -170,47 +184,49 @@ void evaluate(const std::vector<Street>& streets, std::size_t different, const c
   const std::vector<CandidateClass> given = cross_validate(all_samples, params);
   RunShares shares;
   Confusion all;
+  StatedOf stated;
   std::vector<std::vector<CandidateClass>> by_street;
   auto first = given.begin();
   for (std::size_t s = 0; s < streets.size(); ++s) {
-    if (s == different) print_kind(all, shares, "as they are");
+    if (s == different) print_kind(all, shares, stated, "as they are");
     const std::vector<CandidateClass> own(first, first + static_cast<std::ptrdiff_t>(samples[s].size()));
     first += static_cast<std::ptrdiff_t>(samples[s].size());
     by_street.push_back(own);
     if (judged == Judged::everything) {
-      evaluate_selection(streets[s], own, all, shares);
+      evaluate_selection(streets[s], own, all, shares, stated);
       continue;
     }
     const Confusion m = confusion_of(samples[s], own);
     note_shares(m, shares);
     add(m, all);
   }
-  print_kind(all, shares, streets.size() > different ? "cut" : "as they are");
+  print_kind(all, shares, stated, streets.size() > different ? "cut" : "as they are");
   if (judged == Judged::everything) print_trade(streets, by_street);
 }
 
-// Evaluates the result of a run with a model of the library.
-void evaluate_shipped(const std::vector<Street>& streets, std::size_t different, const ObjectModel& model) {
-  fmt::print("\neverything found, the library's model\n");
+// Evaluates the result of a run with a model. Of the streets each `different` are of one kind, which `kinds` names.
+void evaluate_model(const std::vector<Street>& streets, std::size_t different, const std::vector<std::string>& kinds,
+                    const ObjectModel& model) {
+  fmt::print("\neverything found, by a model\n");
   RunShares shares;
   Confusion all;
+  StatedOf stated;
   std::vector<std::vector<CandidateClass>> by_street;
   for (const Street& street : streets) {
-    if (&street == &streets[0] + different) print_kind(all, shares, "as they are");
     std::vector<CandidateFeatures> features;
     std::vector<CandidateParts> parts;
     for (const TrainingSample& s : street.samples) features.push_back(s.features), parts.push_back(s.parts);
     by_street.push_back(classify_candidates(model, features, parts));
-    evaluate_selection(street, by_street.back(), all, shares);
+    evaluate_selection(street, by_street.back(), all, shares, stated);
+    if (by_street.size() % different == 0) print_kind(all, shares, stated, kinds[by_street.size() / different - 1]);
   }
-  print_kind(all, shares, streets.size() > different ? "cut" : "as they are");
   print_trade(streets, by_street);
 }
 
 std::vector<TrainingSample> samples_of(const std::vector<Street>& streets, std::size_t different) {
   std::vector<std::vector<TrainingSample>> lists;
   for (const Street& street : streets) lists.push_back(street.samples);
-  return pooled(lists, different);
+  return pooled(lists, different, different >= kManyStreets);
 }
 
 // How the model was trained, so that it can be trained again.
@@ -218,29 +234,33 @@ std::string recipe_of(const Arguments& a, std::size_t samples) {
   std::string text = "study_streets";
   for (const std::string& c : a.clouds) text += " " + fs::path(c).filename().string();
   if (a.cut > 0) text += fmt::format(" --cut {}", a.cut);
-  for (const std::uint32_t one_in : a.thin) text += fmt::format(" --thin {}", one_in);
+  for (const Leaving& leaving : a.others) text += leaving.option();
+  if (a.in_turn) text += " --in-turn";
+  if (a.all_roles) text += " --all-roles";
   if (!a.roles.empty()) text += " --roles " + a.roles.filename().string();
   text += " --only-model --model " + a.model.filename().string() + "\n";
-  return text + fmt::format("{} things; {} folds by block\n", samples, ObjectTrainingParams{}.folds);
+  return text + fmt::format("{} things; {} folds by {}\n", samples, ObjectTrainingParams{}.folds,
+                            a.clouds.size() >= kManyStreets ? "street" : "block");
 }
 
-// The roles of `a.roles`, or those that are learnt from the streets that are not thinned; the classes are learnt from
-// all.
-void write_model(const std::vector<Street>& streets, const std::vector<Street>& thin, const Arguments& a) {
-  const std::vector<TrainingSample> samples = samples_of(streets, a.clouds.size());
-  std::vector<TrainingSample> all = samples;
-  for (TrainingSample s : samples_of(thin, a.clouds.size())) {
-    s.parts = {};
-    all.push_back(s);
-  }
+ObjectModel read_model(const fs::path& path) {
+  std::stringstream text;
+  text << std::ifstream(path).rdbuf();
+  return parse_object_model(text.str(), path.string());
+}
+
+// The roles of `a.roles`, or those that are learnt from the streets, with --all-roles also from the others; the classes
+// are learnt from all.
+void write_model(const std::vector<Street>& streets, const std::vector<Street>& others, const Arguments& a) {
+  std::vector<Street> together = streets;
+  together.insert(together.end(), others.begin(), others.end());
+  const std::vector<TrainingSample> all = samples_of(together, a.clouds.size());
   ObjectModel model;
   std::string of_roles;
   if (a.roles.empty()) {
-    model = train_roles(samples);
+    model = train_roles(a.all_roles ? all : samples_of(streets, a.clouds.size()));
   } else {
-    std::stringstream text;
-    text << std::ifstream(a.roles).rdbuf();
-    model = parse_object_model(text.str(), a.roles.string());
+    model = read_model(a.roles);
     of_roles = "roles of " + a.roles.filename().string() + ", which came from:\n" + model.recipe;
   }
   ObjectTrainingParams params;
@@ -281,10 +301,16 @@ Arguments read_arguments(const std::vector<std::string>& words) {
       a.model = words[++i];
     else if (words[i] == "--cut" && i + 1 < words.size())
       a.cut = std::stod(words[++i]);
-    else if (words[i] == "--thin" && i + 1 < words.size())
-      a.thin.push_back(static_cast<std::uint32_t>(std::stoul(words[++i])));
+    else if (is_leaving(words[i]) && i + 1 < words.size())
+      a.others.push_back(leaving_of(words[i], words[i + 1])), ++i;
     else if (words[i] == "--roles" && i + 1 < words.size())
       a.roles = words[++i];
+    else if (words[i] == "--judge" && i + 1 < words.size())
+      a.judged = words[++i], a.evaluate = false;
+    else if (words[i] == "--in-turn")
+      a.in_turn = true;
+    else if (words[i] == "--all-roles")
+      a.all_roles = true;
     else if (words[i] == "--only-model")
       a.evaluate = false;
     else if (words[i] == "--shipped")
@@ -298,7 +324,18 @@ Arguments read_arguments(const std::vector<std::string>& words) {
   }
   if (a.clouds.empty())
     throw std::runtime_error("usage: study_streets STREET.laz... [--cut H] [--cache FOLDER] [--model FILE]");
+  if (a.in_turn && a.cut > 0) a.others.insert(a.others.begin(), {a.cut, 1, false}), a.cut = 0;
+  if (a.in_turn && a.others.empty()) throw std::runtime_error("--in-turn needs --cut, --bare or --thin");
   return a;
+}
+
+// The streets with points left out, as many as there are clouds for each way, or for all ways in turn.
+std::vector<Street> other_streets(const Arguments& a) {
+  std::vector<Street> others;
+  for (std::size_t w = 0; w < (a.in_turn ? 1 : a.others.size()); ++w)
+    for (std::size_t c = 0; c < a.clouds.size(); ++c)
+      others.push_back(street_of(a.clouds[c], a.others[a.in_turn ? c % a.others.size() : w], a.cache));
+  return others;
 }
 
 void run(const Arguments& a) {
@@ -306,9 +343,19 @@ void run(const Arguments& a) {
   for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, {}, a.cache));
   const std::vector<Street> whole = streets;
   if (a.cut > 0)
-    for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, {a.cut}, a.cache));
+    for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, {a.cut, 1, false}, a.cache));
   const std::size_t different = whole.size();
-  if (a.shipped) evaluate_shipped(streets, different, a.air ? air_object_model() : default_object_model());
+  const std::vector<Street> others = other_streets(a);
+  if (a.shipped || !a.judged.empty()) {
+    std::vector<Street> judged = streets;
+    judged.insert(judged.end(), others.begin(), others.end());
+    std::vector<std::string> kinds{"as they are"};
+    if (a.cut > 0) kinds.emplace_back("cut");
+    for (const Leaving& leaving : a.others) kinds.push_back(leaving.option());
+    if (a.in_turn) kinds = {"as they are", "with points left out in turn"};
+    if (a.shipped) evaluate_model(judged, different, kinds, a.air ? air_object_model() : default_object_model());
+    if (!a.judged.empty()) evaluate_model(judged, different, kinds, read_model(a.judged));
+  }
   if (a.evaluate) {
     ObjectTrainingParams document;
     document.features = FeatureSet::document;
@@ -321,11 +368,7 @@ void run(const Arguments& a) {
     }
     evaluate(streets, different, "everything found, all features", {}, Judged::everything);
   }
-  if (a.model.empty()) return;
-  std::vector<Street> thin;
-  for (const std::uint32_t one_in : a.thin)
-    for (const std::string& cloud : a.clouds) thin.push_back(street_of(cloud, {0, one_in}, a.cache));
-  write_model(streets, thin, a);
+  if (!a.model.empty()) write_model(streets, others, a);
 }
 
 }  // namespace

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Trains the model that tells what stands in the cells of streets that were scanned from the ground: trees on the
 // features of cells, from scanned scenes and the true classes of their points. Streets from the air are left out.
-// Usage: study_structures STREET.laz... --model FILE [--most N] [--rounds N] [--check STREET.laz...]
-// With --most, at most N cells of a kind are taken from each street, evenly spread. The streets after --check are not
-// trained with; the table of kinds is printed for them.
+// Points of no class are rooms behind windows and points between two surfaces: a cell that has no others is of a
+// facade. Usage: study_structures STREET.laz... --model FILE [--most N] [--few N] [--rounds N] [LEAVING OUT]...
+//        [--check STREET.laz...]
+// With --most, at most N cells of a kind are taken from each street, evenly spread. Points are also left out: with
+// --cut H those higher than H metres above the road, with --bare H these and the ground, with --thin N all but one in
+// N. Each street is used as it is, and in one of these ways in turn, with at most --few cells of a kind. The streets
+// after
+// --check are not trained with; the table of kinds is printed for them, and for them with points left out.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,15 +33,16 @@ namespace fs = std::filesystem;
 
 constexpr double kLeastHeight = 1.8;  // metres; cells that are lower are not decided (StructureParams::least_wall)
 
-// Cells of one street: features, and the points of each kind that are so high.
-struct Cloud {
-  std::vector<double> rows;
-  std::vector<std::array<std::uint32_t, kStandingKinds>> points;
-};
+// Points of a cell that are so high: of each kind, and of no class.
+constexpr std::size_t kNoClass = kStandingKinds;
+using KindPoints = std::array<std::uint32_t, kStandingKinds + 1>;
+constexpr std::uint32_t kLeastOfRoom = 5;  // points of no class; fewer are those between two surfaces
 
 // The kind of a true class of `street-wild`; ground is none.
 int kind_of(std::uint32_t true_class) {
   switch (true_class) {
+    case 0:
+      return static_cast<int>(kNoClass);
     case 1:
       return -1;
     case 2:
@@ -50,7 +56,13 @@ int kind_of(std::uint32_t true_class) {
   }
 }
 
-using CellPoints = std::vector<std::array<std::uint32_t, kStandingKinds>>;  // of the cells of a tile
+// Cells of one street: features, and their points.
+struct Cloud {
+  std::vector<double> rows;
+  std::vector<KindPoints> points;
+};
+
+using CellPoints = std::vector<KindPoints>;  // of the cells of a tile
 
 std::vector<CellPoints> true_points(PointReader& reader, const StreetTiles& tiles) {
   const CloudInfo& info = reader.info();
@@ -78,12 +90,12 @@ std::vector<CellPoints> true_points(PointReader& reader, const StreetTiles& tile
   return out;
 }
 
-Cloud cells_of_cloud(const fs::path& cloud) {
-  const fs::path folder = fs::temp_directory_path() / ("study_structures_" + cloud.stem().string());
+Cloud cells_of_cloud(const fs::path& cloud, const Leaving& leaving) {
+  const fs::path folder = fs::temp_directory_path() / ("study_structures_" + cloud.stem().string() + leaving.name());
   fs::remove_all(folder);
   fs::create_directories(folder);
   std::vector<std::unique_ptr<PointReader>> readers;
-  readers.push_back(open_cloud(cloud));
+  readers.push_back(open_street(cloud, leaving));
   PassContext context;
   const IndexResult index = build_index(readers, {}, folder, context);
   const StreetPixel pixel = street_pixel(index.store, {}, context);
@@ -105,10 +117,11 @@ Cloud cells_of_cloud(const fs::path& cloud) {
   return out;
 }
 
-// The kind that most of the points of a cell have; kStandingKinds where it has none.
-std::uint32_t kind_of_cell(const std::array<std::uint32_t, kStandingKinds>& points) {
-  const auto most = std::max_element(points.begin(), points.end());
-  return *most == 0 ? kStandingKinds : static_cast<std::uint32_t>(most - points.begin());
+// The kind that most of the points of a cell have; kStandingKinds where it has none. Rooms are of their building.
+std::uint32_t kind_of_cell(const KindPoints& points) {
+  const auto most = std::max_element(points.begin(), points.begin() + kStandingKinds);
+  if (*most > 0) return static_cast<std::uint32_t>(most - points.begin());
+  return points[kNoClass] >= kLeastOfRoom ? static_cast<std::uint32_t>(StandingKind::facade) : kStandingKinds;
 }
 
 struct Samples {
@@ -148,10 +161,10 @@ void print_table(const Table& table) {
   }
 }
 
-void check(const StructureModel& model, const std::vector<std::string>& clouds) {
+void check(const StructureModel& model, const std::vector<std::string>& clouds, const Leaving& leaving) {
   Table all{};
   for (const std::string& name : clouds) {
-    Cloud cloud = cells_of_cloud(name);
+    Cloud cloud = cells_of_cloud(name, leaving);
     StandingRows rows;
     rows.cells.resize(cloud.points.size());
     rows.rows = std::move(cloud.rows);
@@ -159,13 +172,16 @@ void check(const StructureModel& model, const std::vector<std::string>& clouds) 
     for (std::size_t i = 0; i < kinds.size(); ++i)
       for (std::size_t k = 0; k < kStandingKinds; ++k) all[k][static_cast<std::size_t>(kinds[i])] += cloud.points[i][k];
   }
-  if (!clouds.empty()) print_table(all);
+  if (clouds.empty()) return;
+  fmt::print("\nclouds{}: ", leaving.name().empty() ? " as they are" : leaving.name());
+  print_table(all);
 }
 
 struct Arguments {
   std::vector<std::string> clouds, checked;
   fs::path model;
-  std::size_t most = 500;
+  std::size_t most = 500, few = 150;
+  std::vector<Leaving> leavings;
   TreeBoostingParams trees;
 };
 
@@ -178,8 +194,12 @@ Arguments read_arguments(const std::vector<std::string>& words) {
       a.model = words[++i];
     else if (words[i] == "--most" && i + 1 < words.size())
       a.most = std::stoul(words[++i]);
+    else if (words[i] == "--few" && i + 1 < words.size())
+      a.few = std::stoul(words[++i]);
     else if (words[i] == "--rounds" && i + 1 < words.size())
       a.trees.rounds = std::stoul(words[++i]);
+    else if (is_leaving(words[i]) && i + 1 < words.size())
+      a.leavings.push_back(leaving_of(words[i], words[i + 1])), ++i;
     else if (words[i] == "--check")
       list = &a.checked;
     else
@@ -187,25 +207,30 @@ Arguments read_arguments(const std::vector<std::string>& words) {
   }
   if (a.clouds.empty() || a.model.empty())
     throw std::runtime_error(
-        "usage: study_structures STREET.laz... --model FILE [--most N] [--rounds N] [--check STREET.laz...]");
+        "usage: study_structures STREET.laz... --model FILE [--most N] [--few N] [--rounds N] [--cut H] [--bare H] "
+        "[--thin N] [--check STREET.laz...]");
   return a;
 }
 
 void run(const Arguments& a) {
   Samples samples;
   std::string names;
-  for (const std::string& name : a.clouds) {
-    samples.add(cells_of_cloud(name), a.most);
-    names += " " + fs::path(name).filename().string();
+  for (std::size_t c = 0; c < a.clouds.size(); ++c) {
+    samples.add(cells_of_cloud(a.clouds[c], {}), a.most);
+    if (!a.leavings.empty()) samples.add(cells_of_cloud(a.clouds[c], a.leavings[c % a.leavings.size()]), a.few);
+    names += " " + fs::path(a.clouds[c]).filename().string();
   }
+  std::string left_out;
+  for (const Leaving& leaving : a.leavings) left_out += leaving.option();
   const TreeSamples all{standing_features(), kStandingKinds, samples.rows, samples.kinds};
   StructureModel model;
   model.trees = boost_trees(all, a.trees);
-  model.recipe = fmt::format("study_structures{} --most {} --rounds {}\n{} cells\n", names, a.most, a.trees.rounds,
-                             samples.kinds.size());
+  model.recipe = fmt::format("study_structures{}{} --most {} --few {} --rounds {}\n{} cells\n", names, left_out, a.most,
+                             a.few, a.trees.rounds, samples.kinds.size());
   write_whole_file(a.model, structure_model_text(model));
   fmt::print("{}: {} cells, {} trees\n", a.model.string(), samples.kinds.size(), model.trees.trees());
-  check(model, a.checked);
+  check(model, a.checked, {});
+  for (const Leaving& leaving : a.leavings) check(model, a.checked, leaving);
 }
 
 }  // namespace

@@ -235,8 +235,8 @@ class StructureFinder {
   bool is_house(const Building& b) const {
     const double side = static_cast<double>(b.side()) * cells_.scale.pixel;
     if (b.top < least_) return side >= params_.length_of_cut_wall;
-    return side >= params_.least_length &&
-           (b.top >= cells_.scale.units(params_.height_of_house) || side >= params_.length_of_house);
+    const double longest = view_ == StreetView::air ? params_.length_of_house : params_.length_of_learnt_house;
+    return side >= params_.least_length && (b.top >= cells_.scale.units(params_.height_of_house) || side >= longest);
   }
 
   const Cells& cells_;

@@ -14,6 +14,8 @@ struct StructureParams {
   double height_of_house = 4.5;  // metres; a building that is lower is as long as `length_of_house`
   double length_of_cut_wall = 7;  // metres; the same where all is lower than least_height; longer than a van
   double length_of_house = 15;    // metres; longer than a lorry
+  // The same from the street, where a lorry is an object by the trees: a wall that is cut below 4.5 m has gaps.
+  double length_of_learnt_house = 9;  // metres
 };
 
 // Finds buildings and crowns before objects are sought. Reads the layers "shape" (StandingForm) and "top" (units above
