@@ -21,6 +21,8 @@ constexpr std::int64_t kBinsOfWall = 4, kBinsBeside = 4;  // bins of half an eps
 constexpr double kChance = 1.0 / 3;  // share of points that are on it by chance
 // Choice: old walls bow and lean by some centimetres from the plane of one of their parts.
 constexpr double kMostDrift = 0.1;  // metres
+// Choice: a bow of 3 cm over 10 m leans by 1.2 cm a metre at its ends; the next house steps at once.
+constexpr std::int64_t kStripsOfBow = 2;  // strips from one change of the distance, by half of epsilon, to the next
 constexpr double kSureOfStrip = 3;                   // Derived: three standard deviations
 constexpr double kMostOnPlane = 0.5;                 // Derived: a majority of the points
 // Choice: windows and doors take up to two thirds of a strip.
@@ -215,10 +217,14 @@ std::vector<WallGrowth::Strip> WallGrowth::grown(std::int64_t from, std::int64_t
   const std::int64_t lines = upright ? columns_ : rows_;
   const auto plane = static_cast<std::int64_t>(2 * depth(epsilon_) / epsilon_) - kBinsOfWall / 2;
   std::vector<Strip> strips{strip_at(from, plane, kBinsOfWall / 2, across, upright)};
+  std::int64_t turned = from;  // the last strip at which the distance changed
   for (std::int64_t k = from + way; k >= 0 && k < lines; k += way) {
     if (std::abs(k - strips.back().line) > 1 + between) break;
-    Strip next = strip_at(k, strips.back().level, 1, across, upright);
-    if (next.on > 0 && continues(k, across, upright, next)) strips.push_back(next);
+    const std::int64_t level = strips.back().level, reach = std::abs(k - turned) >= kStripsOfBow ? 1 : 0;
+    Strip next = strip_at(k, level, reach, across, upright);
+    if (!(next.on > 0) || !continues(k, across, upright, next)) continue;
+    if (next.level != level) turned = k;
+    strips.push_back(next);
   }
   return strips;
 }
@@ -250,10 +256,11 @@ void WallGrowth::add_parts(double from, double to, const std::vector<Strip>& str
 std::vector<SparsePart> WallGrowth::parts() const {
   const auto cell = [](double metres) { return static_cast<std::int64_t>(metres / kGrowthCell); };
   const Span rows{0, std::min(rows_ - 1, cell(height_))};
-  const Span own{cell(left_), std::min(columns_ - 1, cell(left_ + width_))};
-  const std::vector<Strip> right = grown(own.last, 1, rows, true), left = grown(own.first, -1, rows, true);
+  const std::int64_t first = cell(left_) + 1;  // the first column and the last row that the wall fills
+  const std::int64_t last = std::max(first, cell(left_ + width_) - 1);
+  const std::vector<Strip> right = grown(last, 1, rows, true), left = grown(first, -1, rows, true);
   const Span columns{left.back().line, right.back().line};
-  const std::vector<Strip> top = grown(rows.last, 1, columns, false);
+  const std::vector<Strip> top = grown(std::max<std::int64_t>(0, cell(height_) - 1), 1, columns, false);
   Box2 whole{0, width_, 0, height_};
   std::vector<SparsePart> parts;
   if (right.size() > 1) whole.u1 = std::max(width_, high_u_[static_cast<std::size_t>(columns.last)]);

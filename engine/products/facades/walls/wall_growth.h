@@ -21,8 +21,8 @@ std::vector<GrowthRoom> growth_rooms(std::span<const WallGroup> walls, double re
 
 // Counts the points near the plane of a wall by cells and by their distance from it. A strip of cells beyond an end of
 // the wall continues it where most points are at one distance, more than chance explains, and spread over its length:
-// those of a plant, of a wall across or of a roof are not. Walls bow and lean, so that the distance may change from strip
-// to strip by half of epsilon, and by ten centimetres in all. Memory: bytes().
+// those of a plant, of a wall across or of a roof are not. Walls bow and lean, so that the distance may change by half
+// of epsilon each metre, and by ten centimetres in all. Memory: bytes().
 class WallGrowth {
  public:
   // The wall covers u from 0 to `width` and v from 0 to `height`; its points are within `epsilon` of it.
