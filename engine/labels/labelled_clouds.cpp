@@ -106,6 +106,7 @@ class Labeller {
         fields_(appended_fields(products)),
         context_(params.context),
         classes_(params.classes),
+        rows_(params.rows),
         input_(input),
         file_(file) {}
 
@@ -195,7 +196,9 @@ class Labeller {
     s.valid.resize(count);
     if (input_.read(first, s.rows, s.valid) != count)
       throw Error(input_.info().path.string() + ": can no longer be read in full; the file changed during the run");
-    const StretchLabels labels = collect_labels(store_, blocks_, input_order(file_, first), count, products_);
+    const InputOrder from = input_order(file_, first);
+    const StretchLabels labels = rows_ != nullptr ? collect_labels(*rows_, from, count, products_)
+                                                  : collect_labels(store_, blocks_, from, count, products_);
     const LabelledRows rows{s.rows, length, s.valid, LatticeMap(input_.info().layout, store_.unit()),
                             store_.unit() * context_.metres_per_unit};
     s.appended.resize(count * appended_length);
@@ -212,6 +215,7 @@ class Labeller {
   std::vector<AppendedField> fields_;
   const PassContext& context_;
   bool classes_;
+  const RowsInMemory* rows_;
   PointReader& input_;
   std::uint32_t file_;
 };
@@ -253,7 +257,8 @@ std::vector<std::string> labelled_names(const std::vector<std::unique_ptr<PointR
 std::uint64_t write_labelled_cloud(const Store& store, PointReader& input, std::uint32_t file,
                                    std::span<const ProductLabels> products, const fs::path& path,
                                    const LabelledCloudParams& params) {
-  return Labeller(store, sample_rows(store), products, params, input, file).write(path);
+  const std::vector<BlockRows> blocks = params.rows != nullptr ? std::vector<BlockRows>{} : sample_rows(store);
+  return Labeller(store, blocks, products, params, input, file).write(path);
 }
 
 void check_labelled_clouds(const std::vector<std::unique_ptr<PointReader>>& inputs, const PassContext& context) {
@@ -271,7 +276,7 @@ std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::u
                                     std::span<const ProductLabels> products, const fs::path& folder,
                                     const LabelledCloudParams& params) {
   fs::create_directories(folder);
-  const std::vector<BlockRows> blocks = sample_rows(store);
+  const std::vector<BlockRows> blocks = params.rows != nullptr ? std::vector<BlockRows>{} : sample_rows(store);
   const std::vector<std::string> names = labelled_names(inputs);
   std::uint64_t labelled = 0;
   for (std::uint32_t f = 0; f < inputs.size(); ++f)

@@ -29,6 +29,7 @@ std::vector<std::string> labelled_names(std::span<const std::filesystem::path> c
 struct LabelledCloudParams {
   PassContext context = {};
   bool classes = false;  // true: points of the classes 0 and 1 with a label get class 2 (ground) or 6 (building)
+  const RowsInMemory* rows = nullptr;  // none: the labels are read from the columns that rows_pass wrote
 };
 
 // Writes the labelled cloud of one input, whose rows have the number `file` in the store. Returns the number of points

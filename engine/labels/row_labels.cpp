@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "engine/pass/pass.h"
+#include "engine/pass/resident.h"
 #include "engine/store/flushed.h"
 #include "engine/store/row_order.h"
 
@@ -103,6 +104,48 @@ StretchLabels collect_labels(const Store& store, const std::vector<BlockRows>& b
   }
   set_classes(products, count, rows);
   return rows;
+}
+
+std::optional<RowsInMemory> rows_in_memory(const Store& store, std::span<const std::uint64_t> rows,
+                                           std::span<const ProductLabels> products, const PassContext& context) {
+  // Choice: an eighth of what is free; the rest is for the stretches that are written and their compression.
+  constexpr std::uint64_t kPart = 8;
+  std::uint64_t count = 0, bytes = 0;
+  RowsInMemory all;
+  for (const std::uint64_t n : rows) {
+    all.first.push_back(count);
+    count += n;
+  }
+  for (const ProductLabels& product : products) bytes += product.row_bytes;
+  if (count * bytes > affordable(context.budget_bytes) / kPart) return std::nullopt;
+  for (const ProductLabels& product : products) all.labels.emplace_back(count * product.row_bytes);
+  std::vector<PassTask> tasks;
+  for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
+  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
+    const auto block = static_cast<std::uint32_t>(i);
+    const auto order = store.read(block, columns::kOrder);
+    for (std::size_t p = 0; p < products.size(); ++p) {
+      const std::size_t width = products[p].row_bytes;
+      const std::vector<std::byte> labels = products[p].of_points(store, block);
+      for (std::size_t at = 0; at < order.size(); ++at)
+        std::memcpy(all.labels[p].data() + (all.first[file_of(order[at])] + row_of(order[at])) * width,
+                    labels.data() + at * width, width);
+    }
+  });
+  return all;
+}
+
+StretchLabels collect_labels(const RowsInMemory& rows, InputOrder first, std::size_t count,
+                             std::span<const ProductLabels> products) {
+  StretchLabels found;
+  for (std::size_t p = 0; p < products.size(); ++p) {
+    const std::size_t width = products[p].row_bytes;
+    const auto begin =
+        rows.labels[p].begin() + static_cast<std::ptrdiff_t>((rows.first[file_of(first)] + row_of(first)) * width);
+    found.labels.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(count * width));
+  }
+  set_classes(products, count, found);
+  return found;
 }
 
 std::uint64_t bytes_of_row(std::span<const ProductLabels> products) {

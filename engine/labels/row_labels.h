@@ -3,6 +3,7 @@
 // stretches. The products of a run are given in the order in which their classes count.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,21 @@ std::vector<BlockRows> sample_rows(const Store& store);
 // Gives the labels of the input rows [first, first + count). Needs few reads for each block that contains one of them.
 StretchLabels collect_labels(const Store& store, const std::vector<BlockRows>& blocks, InputOrder first,
                              std::size_t count, std::span<const ProductLabels> products);
+
+// The labels of all rows of the inputs, as rows_pass gives them, without a column of the store.
+struct RowsInMemory {
+  std::vector<std::uint64_t> first;            // by file: its first row among the rows of all files
+  std::vector<std::vector<std::byte>> labels;  // by product: a value for each row of all files
+};
+
+// Gives none where the labels would take more than an eighth of the memory that is free; then rows_pass sorts them.
+// `rows` has the number of rows of each file.
+std::optional<RowsInMemory> rows_in_memory(const Store& store, std::span<const std::uint64_t> rows,
+                                           std::span<const ProductLabels> products, const PassContext& context);
+
+// The same as the function above for the rows [first, first + count) of a file.
+StretchLabels collect_labels(const RowsInMemory& rows, InputOrder first, std::size_t count,
+                             std::span<const ProductLabels> products);
 
 // The bytes of the labels of one row in memory, at most, while a stretch is collected.
 std::uint64_t bytes_of_row(std::span<const ProductLabels> products);

@@ -9,6 +9,7 @@
 #include "engine/formats/rows_in_box.h"
 #include "engine/pass/input_lattice.h"
 #include "engine/pass/pass.h"
+#include "engine/store/column_cache.h"
 #include "engine/store/flushed.h"
 
 namespace ilot {
@@ -246,6 +247,7 @@ IndexResult build_index(const std::vector<std::unique_ptr<PointReader>>& inputs,
     fs::create_directories(folder / "blocks");
     const InputLattice needed = write_index(inputs, params, files, context);
     fs::remove_all(folder / "runs");
+    forget_folder(folder / "runs");
     if (!(needed == asked)) return nothing_with(needed, folder);
   }
   IndexResult result = finished_index(files, asked);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/error.h"
+#include "engine/pass/kept_columns.h"
 #include "engine/pass/resident.h"
 #include "engine/pass/stop.h"
 #include "kernels/core/parallel.h"
@@ -144,6 +145,10 @@ void stop_if_asked() {
 std::vector<std::size_t> run_pass(std::span<const PassTask> tasks, std::uint64_t budget_bytes,
                                   const std::function<void(std::size_t)>& body, TooLarge too_large) {
   trim_memory();
+  std::uint64_t largest = 0;
+  for (const PassTask& task : tasks) largest = std::max(largest, task.bytes);
+  const auto together = std::min<std::uint64_t>(tasks.size(), static_cast<std::uint64_t>(thread_count()));
+  const ColumnRoom room(std::max(largest, std::min(budget_bytes, largest * together)));
   Queue queue(tasks, budget_bytes, too_large);
   Runner(queue, body).run();
   stop_if_asked();

@@ -13,12 +13,22 @@
 #include <span>
 #include <string>
 
+#include "engine/pass/kept_columns.h"
 #include "engine/report/resources.h"
+#include "engine/store/column_cache.h"
 
 namespace ilot {
 namespace {
 
 std::atomic<std::uint64_t> limit{0};
+
+std::uint64_t unused_of(std::uint64_t allowed) {
+  const std::uint64_t used = resident_bytes();
+  return used >= allowed ? 0 : allowed - used;
+}
+
+// Choice: kept columns may take a third of the limit, and give way where less than a quarter is free.
+constexpr std::uint64_t kKeptPart = 3, kReserve = 4;
 
 // Releases code and constants of the program and of its libraries, most of which are needed only at the start. What is
 // needed again is mapped again from the file.
@@ -51,8 +61,22 @@ void set_memory_limit(std::uint64_t bytes) {
 std::uint64_t free_memory() {
   const std::uint64_t allowed = limit;
   if (allowed == 0) return UINT64_MAX;
-  const std::uint64_t used = resident_bytes();
-  return used >= allowed ? 0 : allowed - used;
+  const std::uint64_t unused = unused_of(allowed), kept = column_cache_bytes();
+  if (unused >= allowed / kReserve || kept == 0) return unused;
+  set_column_cache(kept - std::min(kept, allowed / kReserve - unused));
+  return unused_of(allowed);
+}
+
+ColumnRoom::ColumnRoom(std::uint64_t reserved) {
+  // Choice: a process with less needs all of it for its tasks.
+  constexpr std::uint64_t kLeastLimit = 480u << 20;
+  const std::uint64_t allowed = limit;
+  const std::uint64_t room = unused_of(allowed) + column_cache_bytes();
+  set_column_cache(allowed < kLeastLimit ? 0 : std::min(allowed / kKeptPart, room - std::min(room, reserved)));
+}
+
+ColumnRoom::~ColumnRoom() {
+  set_column_cache(column_cache_bytes());
 }
 
 std::uint64_t affordable(std::uint64_t budget_bytes) {
@@ -76,6 +100,10 @@ std::uint64_t allocator_pools(std::uint64_t memory_bytes, int threads) {
 }
 
 void trim_memory() {
+  // Choice: memory that is given back must be cleared again by the system, so it stays while it is little.
+  constexpr std::uint64_t kAmple = 4;  // one part in this number of the limit may be in use without being trimmed
+  const std::uint64_t allowed = limit;
+  if (allowed != 0 && resident_bytes() < allowed / kAmple + column_cache_bytes()) return;
   malloc_trim(0);
   if (!is_debugged()) dl_iterate_phdr(give_back_code, nullptr);
 }

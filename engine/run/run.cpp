@@ -35,6 +35,7 @@
 #include "engine/run/products.h"
 #include "engine/run/run_context.h"
 #include "engine/run/run_estimate.h"
+#include "engine/store/column_cache.h"
 #include "kernels/core/parallel.h"
 #include "kernels/geometry/box3.h"
 
@@ -215,9 +216,12 @@ void make_products(const RunOptions& options, const RunInputs& inputs, const std
   std::uint64_t labelled = 0;
   if (options.clouds) {
     progress.begin_stage("write", inputs.points);
-    rows_pass(index.store, labels, context);
+    std::vector<std::uint64_t> counts;
+    for (const auto& reader : inputs.readers) counts.push_back(reader->info().points);
+    const std::optional<RowsInMemory> rows = rows_in_memory(index.store, counts, labels, context);
+    if (!rows) rows_pass(index.store, labels, context);
     labelled = write_labelled_clouds(index.store, inputs.readers, labels, out.staging() / "points",
-                                     {context, options.settings.classes.write});
+                                     {context, options.settings.classes.write, rows ? &*rows : nullptr});
     const std::vector<std::string> names = labelled_names(inputs.readers);
     for (std::size_t i = 0; i < names.size(); ++i) record.inputs[i].output = "points/" + names[i];
     progress.end_stage();
@@ -283,6 +287,14 @@ void complete_record(const RunOptions& options, Progress& progress, double start
   warn_of_peak(progress, record);
 }
 
+// Columns stay in memory while the store is worked on, and no longer.
+struct KeptColumns {
+  KeptColumns() = default;
+  ~KeptColumns() { set_column_cache(0); }
+  KeptColumns(const KeptColumns&) = delete;
+  KeptColumns& operator=(const KeptColumns&) = delete;
+};
+
 // Makes the report of the finished result and returns what to open. A report that cannot be made spoils no result.
 std::string report_line(const RunOptions& options, Progress& progress) {
   const std::filesystem::path& out = options.output;
@@ -320,6 +332,7 @@ int run_in_arena(const RunOptions& given, const TrainObjectModel& learn, Progres
     return 0;
   }
   set_memory_limit(memory_to_fill(options));
+  const KeptColumns kept;
   out->check_space(estimate_run(options, inputs));
   progress.plan(planned_stages(options));
   make_products(options, inputs, sites, {options.train, learn}, *out, progress, record);

@@ -5,16 +5,20 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <memory>
+#include <mutex>
 #include <string>
 
 #include "engine/error.h"
+#include "engine/store/column_cache.h"
 #include "engine/system_reason.h"
 
 namespace ilot {
 namespace {
 
-constexpr std::uint8_t kVersion = 1;  // of the files; another layout of any column needs another version
+constexpr std::uint8_t kVersion = 2;  // of the files; another layout of any column needs another version
 constexpr const char* kAdvice = "; delete the store and start again";
 
 [[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
@@ -34,6 +38,52 @@ std::uint32_t check_of(const ColumnHeader& h) {
   add(h.value_bytes, 2);
   add(h.count, 8);
   return hash;
+}
+
+// The type as the cache keeps it.
+std::uint32_t number_of(ValueType type) {
+  return static_cast<std::uint32_t>(type.kind) << 16 | type.bytes;
+}
+
+// The kept values that are being read. A ColumnInput has a number of this table, below that of no file (-1), in place
+// of the number of a file.
+class KeptReaders {
+ public:
+  static bool has(int number) { return number < -1; }
+
+  int add(std::shared_ptr<const KeptBytes> values) {
+    const std::lock_guard lock(mutex_);
+    if (free_.empty()) {
+      values_.emplace_back();
+      free_.push_back(values_.size() - 1);
+    }
+    const std::size_t place = free_.back();
+    free_.pop_back();
+    values_[place] = std::move(values);
+    return -2 - static_cast<int>(place);
+  }
+  std::span<const std::byte> at(int number) {
+    const std::lock_guard lock(mutex_);
+    return values_[place_of(number)]->bytes();
+  }
+  void remove(int number) {
+    std::shared_ptr<const KeptBytes> last;  // is freed without the lock
+    const std::lock_guard lock(mutex_);
+    last.swap(values_[place_of(number)]);
+    free_.push_back(place_of(number));
+  }
+
+ private:
+  static std::size_t place_of(int number) { return static_cast<std::size_t>(-2 - number); }
+
+  std::mutex mutex_;
+  std::vector<std::shared_ptr<const KeptBytes>> values_;
+  std::vector<std::size_t> free_;
+};
+
+KeptReaders& kept_readers() {
+  static KeptReaders readers;
+  return readers;
 }
 
 std::string text_of(ValueType type) {
@@ -88,6 +138,7 @@ void ColumnOutput::commit() {
   while (n < 0 && errno == EINTR);
   if (n != static_cast<ssize_t>(sizeof header)) fail(temporary_, "cannot write");
   const int closed = ::close(std::exchange(file_, -1));
+  forget_file(path_);
   if (closed == 0 && ::rename(temporary_.c_str(), path_.c_str()) == 0) return;
   const int code = errno;
   ::unlink(temporary_.c_str());
@@ -96,18 +147,31 @@ void ColumnOutput::commit() {
 }
 
 ColumnInput::ColumnInput(std::filesystem::path path, ValueType type) : path_(std::move(path)) {
+  auto kept = kept_file(path_);
+  if (kept && kept->type() == number_of(type)) {
+    count_ = kept->bytes().size() / type.bytes;
+    file_ = kept_readers().add(std::move(kept));
+    return;
+  }
   file_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
   if (file_ < 0) fail(path_, "cannot open");
   try {
     check(type);
+    KeptBytes values(number_of(type), count_ * type.bytes);
+    if (values.bytes().empty()) return;
+    read_bytes(0, values.bytes());
+    kept = keep_file(path_, std::move(values));
   } catch (...) {
     ::close(file_);
     throw;
   }
+  ::close(file_);
+  file_ = kept_readers().add(std::move(kept));
 }
 
 ColumnInput::~ColumnInput() {
   if (file_ >= 0) ::close(file_);
+  if (KeptReaders::has(file_)) kept_readers().remove(file_);
 }
 
 void ColumnInput::check(ValueType type) {
@@ -130,7 +194,11 @@ void ColumnInput::check(ValueType type) {
 }
 
 void ColumnInput::read_bytes(std::uint64_t offset, std::span<std::byte> out) const {
-  fill(sizeof(ColumnHeader) + offset, out);
+  if (!KeptReaders::has(file_)) return fill(sizeof(ColumnHeader) + offset, out);
+  const std::span<const std::byte> kept = kept_readers().at(file_);
+  if (offset > kept.size() || out.size() > kept.size() - offset)
+    throw Error(path_.string() + ": shorter than expected" + kAdvice);
+  std::copy_n(kept.begin() + static_cast<std::ptrdiff_t>(offset), out.size(), out.begin());
 }
 
 void ColumnInput::fill(std::uint64_t at, std::span<std::byte> out) const {

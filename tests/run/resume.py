@@ -25,12 +25,12 @@ class Resume(RunTest):
         return run.returncode, output
 
     def stop_in_stage(self, stage, how, inputs, out, *arguments):
-        """Sends the signal as soon as a file of that stage is in the store."""
-        pattern = {"index": "blocks/*.codes", "normals": "blocks/*.normals", "planes": "cells/*.cell",
-                   "join": "blocks/*.contacts", "label": "blocks/*.plane", "write": "blocks/*.rows",
-                   "facades": "blocks/*.facade", "streets": "blocks/*.street"}[stage]
+        """Sends the signal as soon as a file of that stage is in the store, or among the results."""
+        pattern = {"index": ".store/blocks/*.codes", "normals": ".store/blocks/*.normals", "planes": ".store/cells/*.cell",
+                   "join": ".store/blocks/*.contacts", "label": ".store/blocks/*.plane", "write": ".new/points/*",
+                   "facades": ".store/blocks/*.facade", "streets": ".store/blocks/*.street"}[stage]
         run = self.start(inputs, out, *arguments)
-        while run.poll() is None and not any((out / ".store").glob(pattern)):
+        while run.poll() is None and not any(out.glob(pattern)):
             time.sleep(0.001)
         if run.poll() is None:
             run.send_signal(how)

@@ -74,7 +74,7 @@ class LayeredEncoder final : public ChunkEncoder::Implementation {
   void mark_constants(std::span<const std::byte> records) {
     changed_.assign(record_length_, std::byte{0});
     for (std::size_t at = record_length_; at < records.size(); at += record_length_)
-      for (std::size_t i = 0; i < record_length_; ++i) changed_[i] |= records[at + i] ^ records[i];
+      mark_changes(records.data() + at, records.data());
     const LayeredPlan& plan = codec_.plan();
     const auto mark = [&](std::uint32_t layer, std::size_t first, std::size_t count) {
       const auto bytes = std::span(changed_).subspan(first, count);
@@ -87,6 +87,16 @@ class LayeredEncoder final : public ChunkEncoder::Implementation {
     mark(kLayerUser, offsetof(Point14, user), 1);
     if (plan.nir) mark(plan.nir_layer, plan.nir, 2);
     for (std::uint32_t i = 0; i < plan.extra_count; ++i) mark(plan.extra_layer + i, plan.extra + i, 1);
+  }
+
+  void mark_changes(const std::byte* record, const std::byte* first) {
+    constexpr std::size_t kWord = sizeof(std::uint64_t);
+    std::byte* const changed = changed_.data();
+    std::size_t i = 0;
+    for (; i + kWord <= record_length_; i += kWord)
+      store(changed + i,
+            load<std::uint64_t>(changed + i) | (load<std::uint64_t>(record + i) ^ load<std::uint64_t>(first + i)));
+    for (; i < record_length_; ++i) changed[i] |= record[i] ^ first[i];
   }
 
   void append_streams(std::vector<std::byte>& out) {

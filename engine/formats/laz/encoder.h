@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <algorithm>
+#include <bit>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "engine/cloud/record.h"
 
 #include "engine/formats/laz/bit_model.h"
 #include "engine/formats/laz/models.h"
@@ -18,7 +23,7 @@ class Encoder {
   using Model = SymbolModel<kCapacity, false>;
 
   void start(std::uint32_t epoch) {
-    out_.clear();
+    size_ = 0;
     base_ = 0;
     length_ = 0xFFFFFFFFu;
     epoch_ = epoch;
@@ -57,8 +62,11 @@ class Encoder {
   std::span<const std::byte> finish() {
     const bool extra = length_ > 2 * kMinLength;
     narrow(extra ? kMinLength : kMinLength >> 1, extra ? kMinLength >> 1 : kMinLength >> 9);
-    out_.insert(out_.end(), extra ? 3 : 2, 0);
-    return std::as_bytes(std::span(out_));
+    for (int zeros = extra ? 3 : 2; zeros > 0; --zeros) {
+      make_room();
+      out_[size_++] = 0;
+    }
+    return std::as_bytes(std::span(out_)).first(size_);
   }
 
  private:
@@ -71,23 +79,33 @@ class Encoder {
     base_ += low;
     if (base_ < low) [[unlikely]]
       carry();
-    length_ = length;
-    while (length_ < kMinLength) {
-      out_.push_back(static_cast<std::uint8_t>(base_ >> 24));
-      base_ <<= 8;
-      length_ <<= 8;
-    }
+    // The upper bytes that no later step changes but by a carry go out: as many as keep the length above kMinLength.
+    // All four are stored and so many of them counted, because a branch for each would often be mispredicted.
+    assert(length > 0);
+    static_assert(kMinLength == 1u << 24 && std::endian::native == std::endian::little);
+    const auto bytes = static_cast<std::uint32_t>(std::countl_zero(length)) / 8;
+    make_room();
+    store(reinterpret_cast<std::byte*>(&out_[size_]), __builtin_bswap32(base_));
+    size_ += bytes;
+    base_ <<= 8 * bytes;
+    length_ = length << 8 * bytes;
+  }
+  void make_room() {
+    constexpr std::size_t kFirst = 1024, kStored = 4;
+    if (out_.size() < size_ + kStored) [[unlikely]]
+      out_.resize(std::max(kFirst, 2 * out_.size()));
   }
   // The sum of all bytes so far is below one, so there is a byte that takes the carry.
   void carry() {
-    std::size_t i = out_.size() - 1;
+    std::size_t i = size_ - 1;
     while (out_[i] == 0xFF) out_[i--] = 0;
     ++out_[i];
   }
 
   std::uint32_t base_ = 0, length_ = 0xFFFFFFFFu;
   std::uint32_t epoch_ = 0;
-  std::vector<std::uint8_t> out_;
+  std::vector<std::uint8_t> out_;  // only grows
+  std::size_t size_ = 0;           // bytes of the stream
 };
 
 }  // namespace ilot::laz

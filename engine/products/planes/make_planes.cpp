@@ -15,6 +15,7 @@
 #include "engine/products/planes/join/extend_pass.h"
 #include "engine/products/planes/join/join_pass.h"
 #include "engine/products/planes/join/label_pass.h"
+#include "engine/store/column_cache.h"
 #include "kernels/core/portable_math.h"
 #include "kernels/core/quantile.h"
 #include "kernels/core/rng.h"
@@ -222,6 +223,7 @@ PlanesResult make_planes(const Store& store, const std::vector<std::unique_ptr<P
       join_planes(store, cells, found, std::move(contacts), {cos_degrees(settings.planes.join_angle)});
   extend_pass(store, cells, found, joined, context);
   label_pass(store, cells, found, joined, context, palette);
+  for (std::uint32_t b = 0; b < store.blocks().size(); ++b) forget_file(store.path(b, columns::kSegment));
   PlanesResult result = number_planes(store, joined, context.wanted != nullptr, context.metres_per_unit);
   joined = {};
   find_neighbours(store, cells, found, context, result);

@@ -64,17 +64,30 @@ std::size_t offset_of_label(const PointReader& reader) {
 
 TEST(LabelledClouds, RowsComeBackInInputOrderWithAllTheirBytes) {
   const auto points = test::points_over_tiles(12000, 1);
-  for (const std::uint64_t block_points : {1u << 20, 900u}) {
+  for (const auto& [block_points, in_memory] :
+       {std::pair{1u << 20, false}, std::pair{900u, false}, std::pair{1u << 20, true}, std::pair{900u, true}}) {
     const CloudStore cloud(points, {block_points, 2000, 3});
     write_labels(cloud.store());
     const std::vector<std::uint32_t> final_id{0, 3, 0, 1, 2};  // joined plane 2 was dropped
     const std::vector<ProductLabels> labels{plane_labels({final_id, level_planes(), true})};
-    rows_pass(cloud.store(), labels, {});
     PassContext context;
     context.metres_per_unit = 0.5;
     std::uint64_t expected = 0;
-    const std::uint64_t labelled =
-        write_labelled_clouds(cloud.store(), cloud.inputs(), labels, cloud.folder() / "out", {context});
+    std::optional<RowsInMemory> rows;
+    if (in_memory) {
+      std::vector<std::uint64_t> counts;
+      for (const auto& input : cloud.inputs()) counts.push_back(input->info().points);
+      context.budget_bytes = 1;
+      EXPECT_FALSE(rows_in_memory(cloud.store(), counts, labels, context).has_value());
+      context.budget_bytes = std::uint64_t{1} << 30;
+      rows = rows_in_memory(cloud.store(), counts, labels, context);
+      ASSERT_TRUE(rows.has_value());
+      EXPECT_FALSE(cloud.store().has(0, columns::kPlaneRows));
+    } else {
+      rows_pass(cloud.store(), labels, {});
+    }
+    const std::uint64_t labelled = write_labelled_clouds(cloud.store(), cloud.inputs(), labels, cloud.folder() / "out",
+                                                         {context, false, rows ? &*rows : nullptr});
     for (std::uint64_t f = 0; f < 3; ++f) {
       const auto out = open_cloud(cloud.folder() / "out" / ("cloud" + std::to_string(f) + ".laz"));
       const Rows was = read_rows(*cloud.inputs()[f]), is = read_rows(*out);

@@ -25,7 +25,7 @@ constexpr double kExtendShare = 0.8;  // of the smaller epsilon of two planes
 // Derived: the rounding of coordinates to float32, so that points stay within epsilon.
 constexpr double kStrictlyInside = 1 - 1e-6;
 
-const std::array<Column<std::uint32_t>, kExtendRounds> kRounds{columns::kExtended1, columns::kExtended2,
+const std::array<Column<ExtendedPoint>, kExtendRounds> kRounds{columns::kExtended1, columns::kExtended2,
                                                                columns::kExtended3, columns::kExtended4};
 
 // A point of a block that gets another plane.
@@ -57,6 +57,34 @@ IndexBox surroundings(const Cell& cell, const CellSummary& summary) {
   return cell.node.box().grown(std::min(summary.connectivity, margin_of(cell)));
 }
 
+// Reads the joined planes of points of a block after some rounds.
+void read_planes(const Store& store, const JoinedPlanes& joined, std::size_t rounds, std::uint32_t block,
+                 std::uint32_t first, std::span<std::uint32_t> planes) {
+  store.open(block, columns::kSegment).read(first, planes);
+  for (std::uint32_t& p : planes) p = p == 0 ? 0 : joined.of_segment[p - 1];
+  if (rounds == 0) return;
+  const auto changed = store.open(block, kRounds[rounds - 1]);
+  std::uint64_t at = 0;
+  for (std::uint64_t end = changed.size(); at < end;) {
+    const std::uint64_t middle = at + (end - at) / 2;
+    if (changed.at(middle).point < first)
+      at = middle + 1;
+    else
+      end = middle;
+  }
+  constexpr std::uint64_t kBatch = 256;
+  std::array<ExtendedPoint, kBatch> batch;
+  while (at < changed.size()) {
+    const auto some = std::span(batch).first(std::min(kBatch, changed.size() - at));
+    changed.read(at, some);
+    for (const ExtendedPoint& p : some) {
+      if (p.point - first >= planes.size()) return;
+      planes[p.point - first] = p.plane;
+    }
+    at += some.size();
+  }
+}
+
 // The planes before a round, by index of the joined plane plus one.
 class Before {
  public:
@@ -64,10 +92,9 @@ class Before {
       : store_(store), joined_(joined), round_(round) {}
 
   std::vector<std::uint32_t> read(std::uint32_t block, std::uint32_t first, std::uint32_t count) const {
-    if (round_ > 0) return store_.read(block, kRounds[round_ - 1], first, count);
-    std::vector<std::uint32_t> labels = store_.read(block, columns::kSegment, first, count);
-    for (std::uint32_t& l : labels) l = l == 0 ? 0 : joined_.of_segment[l - 1];
-    return labels;
+    std::vector<std::uint32_t> planes(count);
+    read_planes(store_, joined_, round_, block, first, planes);
+    return planes;
   }
 
  private:
@@ -185,23 +212,32 @@ std::vector<std::uint8_t> active_cells(const Store& store, const std::vector<Cel
   return active;
 }
 
-// Writes the column of a round: the labels before it with the changes of its cells.
-void write_round(const Store& store, const std::vector<Cell>& cells, const JoinedPlanes& joined, std::size_t round,
-                 const PassContext& context) {
+// Writes the column of a round: the points changed before it, and the changes of its cells in their place.
+void write_round(const Store& store, const std::vector<Cell>& cells, std::size_t round, const PassContext& context) {
+  constexpr std::uint64_t kChangeBytes = sizeof(Change) + 2 * sizeof(ExtendedPoint);  // if all points change
   const auto pieces = pieces_of_blocks(store, cells);
   std::vector<PassTask> tasks;
-  for (const Block& b : store.blocks()) tasks.push_back({b.points * 16ull, b.points});
+  for (const Block& b : store.blocks()) tasks.push_back({b.points * kChangeBytes, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
     if (store.has(block, kRounds[round])) return;
-    std::vector<std::uint32_t> planes = Before(store, joined, round).read(block, 0, store.blocks()[block].points);
+    std::vector<ExtendedPoint> changed;
     for (const CellPiece& piece : pieces[block]) {
       const std::filesystem::path path = path_of(store, cells[piece.cell], round);
       if (!std::filesystem::exists(path)) continue;
       for (const Change& change : read_column<Change>(path))
-        if (change.block == block) planes[change.point] = change.plane;
+        if (change.block == block) changed.push_back({change.point, change.plane});
     }
-    store.write(block, kRounds[round], planes);
+    if (round > 0) {
+      const auto before = store.read(block, kRounds[round - 1]);
+      changed.insert(changed.end(), before.begin(), before.end());
+    }
+    const auto by_point = [](const ExtendedPoint& a, const ExtendedPoint& b) { return a.point < b.point; };
+    std::stable_sort(changed.begin(), changed.end(), by_point);  // of one point, the change of this round comes first
+    changed.erase(std::unique(changed.begin(), changed.end(),
+                              [](const ExtendedPoint& a, const ExtendedPoint& b) { return a.point == b.point; }),
+                  changed.end());
+    store.write(block, kRounds[round], changed);
   });
 }
 
@@ -232,18 +268,24 @@ void run_round(const Store& store, const std::vector<Cell>& cells, const CellPla
     write_column<IndexBox>(box_path(store, cell, round), std::span(&changes.box, 1));
     write_column<Change>(path_of(store, cell, round), changes.list);
   });
-  write_round(store, cells, joined, round, context);
+  write_round(store, cells, round, context);
 }
 
 void find_too_small(const Store& store, JoinedPlanes& joined) {
   std::vector<std::uint64_t> points(joined.planes.size() + 1, 0);
   for (std::uint32_t block = 0; block < store.blocks().size(); ++block)
-    for (const std::uint32_t plane : store.read(block, kRounds.back())) ++points[plane];
+    for (const std::uint32_t plane : Before(store, joined, kRounds.size()).read(block, 0, store.blocks()[block].points))
+      ++points[plane];
   for (std::size_t i = 0; i < joined.planes.size(); ++i)
     joined.planes[i].too_small = points[i + 1] < joined.planes[i].min_points;
 }
 
 }  // namespace
+
+void read_extended(const Store& store, const JoinedPlanes& joined, std::uint32_t block, std::uint32_t first,
+                   std::span<std::uint32_t> planes) {
+  read_planes(store, joined, kRounds.size(), block, first, planes);
+}
 
 void extend_pass(const Store& store, const std::vector<Cell>& cells, const CellPlanes& found, JoinedPlanes& joined,
                  const PassContext& context) {

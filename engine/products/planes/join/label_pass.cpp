@@ -8,7 +8,7 @@
 
 #include "engine/pass/pass.h"
 #include "engine/products/planes/cells/block_cells.h"
-#include "engine/store/extended_columns.h"
+#include "engine/products/planes/join/extend_pass.h"
 #include "engine/store/flushed.h"
 #include "engine/store/sorted_columns.h"
 #include "kernels/core/rng.h"
@@ -66,7 +66,9 @@ class BlockLabels {
         palette_(palette) {
     const Block& b = store.blocks()[block];
     view_ = load_view(store, b.box.grown(cells.widest_connectivity), b.node.min_corner());
-    before_ = load_column(store, view_, columns::kExtended4);
+    before_.resize(view_.size);
+    for (const Slice& s : view_.slices)
+      read_extended(store, joined, s.block, s.first, std::span(before_).subspan(s.at, s.count));
     for (std::uint32_t& plane : before_)
       if (plane != 0 && joined.planes[plane - 1].too_small) plane = 0;
     own_ = range_of_block(view_, block);

@@ -27,7 +27,7 @@ struct PlaneTally {
 };
 
 // Writes the column "plane" (u32: 0 = none, else 1 + index into the joined planes) of every block, and "tally", the
-// part of each plane in the block. A point keeps the joined plane of the column "extended_4" (extend_pass) while it is
+// part of each plane in the block. A point keeps the joined plane that extend_pass gives (read_extended) while it is
 // within epsilon of it. (The cells have already split the borders of their planes: find_planes.) Any other point looks
 // at the planes that at least two of its 12 nearest neighbours within the connectivity have. It gets the nearest of
 // these if it is within epsilon of one. In this way planes grow over the borders of cells that had too few points to
