@@ -16,4 +16,16 @@ class ColumnRoom {
   ColumnRoom& operator=(const ColumnRoom&) = delete;
 };
 
+// Frees kept columns of so many bytes.
+void give_up_columns(std::uint64_t bytes);
+
+// Columns stay in memory while a store is worked on, and no longer: another store may have the same path.
+class KeptColumns {
+ public:
+  KeptColumns() = default;
+  ~KeptColumns();
+  KeptColumns(const KeptColumns&) = delete;
+  KeptColumns& operator=(const KeptColumns&) = delete;
+};
+
 }  // namespace ilot

@@ -63,7 +63,7 @@ std::uint64_t free_memory() {
   if (allowed == 0) return UINT64_MAX;
   const std::uint64_t unused = unused_of(allowed), kept = column_cache_bytes();
   if (unused >= allowed / kReserve || kept == 0) return unused;
-  set_column_cache(kept - std::min(kept, allowed / kReserve - unused));
+  give_up_columns(allowed / kReserve - unused);
   return unused_of(allowed);
 }
 
@@ -77,6 +77,15 @@ ColumnRoom::ColumnRoom(std::uint64_t reserved) {
 
 ColumnRoom::~ColumnRoom() {
   set_column_cache(column_cache_bytes());
+}
+
+void give_up_columns(std::uint64_t bytes) {
+  const std::uint64_t kept = column_cache_bytes();
+  if (kept != 0) set_column_cache(kept - std::min(kept, bytes));
+}
+
+KeptColumns::~KeptColumns() {
+  set_column_cache(0);
 }
 
 std::uint64_t affordable(std::uint64_t budget_bytes) {

@@ -13,6 +13,7 @@
 #include "engine/labels/labelled_clouds.h"
 #include "engine/pass/index.h"
 #include "engine/pass/input_lattice.h"
+#include "engine/pass/kept_columns.h"
 #include "engine/pass/resident.h"
 #include "engine/products/facades/facade_edits.h"
 #include "engine/products/planes/cells/cells.h"
@@ -35,7 +36,6 @@
 #include "engine/run/products.h"
 #include "engine/run/run_context.h"
 #include "engine/run/run_estimate.h"
-#include "engine/store/column_cache.h"
 #include "kernels/core/parallel.h"
 #include "kernels/geometry/box3.h"
 
@@ -286,14 +286,6 @@ void complete_record(const RunOptions& options, Progress& progress, double start
   record.peak_rss_bytes = peak_resident_bytes();
   warn_of_peak(progress, record);
 }
-
-// Columns stay in memory while the store is worked on, and no longer.
-struct KeptColumns {
-  KeptColumns() = default;
-  ~KeptColumns() { set_column_cache(0); }
-  KeptColumns(const KeptColumns&) = delete;
-  KeptColumns& operator=(const KeptColumns&) = delete;
-};
 
 // Makes the report of the finished result and returns what to open. A report that cannot be made spoils no result.
 std::string report_line(const RunOptions& options, Progress& progress) {

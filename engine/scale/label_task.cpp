@@ -9,6 +9,7 @@
 
 #include "engine/error.h"
 #include "engine/labels/labelled_clouds.h"
+#include "engine/pass/kept_columns.h"
 #include "engine/pass/resident.h"
 #include "engine/report/path_text.h"
 #include "engine/report/product_files.h"
@@ -86,6 +87,7 @@ void label_input(const TaskOptions& task, const Plan& plan, Progress& progress) 
   const RunOptions options = run_options(task, plan, numbers);
   const RunInputs inputs = open_needed(options, plan);
   set_memory_limit(memory_to_fill(options));
+  const KeptColumns kept_columns;
   const PassContext context = frozen_context(options, inputs, plan, progress);
   check_labelled_clouds(inputs.readers, context);
   progress.begin_stage("write", inputs.points);

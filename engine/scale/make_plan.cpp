@@ -11,6 +11,7 @@
 #include "engine/formats/file.h"
 #include "engine/pass/index.h"
 #include "engine/pass/input_lattice.h"
+#include "engine/pass/kept_columns.h"
 #include "engine/pass/pass.h"
 #include "engine/pass/resident.h"
 #include "engine/products/planes/cells/cells.h"
@@ -341,6 +342,7 @@ int make_plan(const PlanOptions& options, Progress& progress) {
     std::vector<PlannedSite> given;
     if (!run.footprints.empty()) given = plan_footprints(run.footprints, run.id_field, inputs.crs, progress, record);
     set_memory_limit(memory_to_fill(run));
+    const KeptColumns kept;
     fill_folder(options, inputs, std::move(given), progress, record);
     progress.run_done(plan_estimate(run.output));
     code = static_cast<int>(record.skipped.empty() ? ExitCode::ok : ExitCode::incomplete);

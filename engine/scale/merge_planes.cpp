@@ -6,6 +6,7 @@
 
 #include "engine/error.h"
 #include "engine/labels/row_labels.h"
+#include "engine/pass/kept_columns.h"
 #include "engine/pass/resident.h"
 #include "engine/products/planes/make_planes.h"
 #include "engine/products/planes/product.h"
@@ -31,6 +32,7 @@ void merge_planes(const MergeOptions& options, const Plan& plan, const std::vect
   inputs.crs = plan.crs;
   inputs.points = plan.points;
   set_memory_limit(memory_to_fill(run));
+  const KeptColumns kept;
   fs::remove_all(folder);
   fs::create_directories(folder);
   open_flushed(folder);

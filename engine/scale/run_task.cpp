@@ -6,6 +6,7 @@
 
 #include "engine/error.h"
 #include "engine/pass/index.h"
+#include "engine/pass/kept_columns.h"
 #include "engine/pass/pass.h"
 #include "engine/pass/resident.h"
 #include "engine/products/roofs/make_roofs.h"
@@ -108,6 +109,7 @@ PartSummary make_part(const TaskOptions& task, const Plan& plan, const PlanArea&
   if (!is_of_planes(plan)) local = read_sites(task.plan / kSitesFolder / std::to_string(task.number), area);
   const RunInputs inputs = open_needed(options, plan);
   set_memory_limit(memory_to_fill(options));
+  const KeptColumns kept;
   const fs::path folder = work.path() / "store";
   fs::create_directories(folder);
   open_flushed(folder);

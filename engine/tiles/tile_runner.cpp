@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/error.h"
+#include "engine/pass/kept_columns.h"
 #include "engine/pass/pass.h"
 #include "engine/pass/resident.h"
 #include "engine/report/resources.h"
@@ -36,6 +37,7 @@ std::uint64_t TileRunner::make_room(std::uint64_t least, std::uint64_t wanted) c
   const auto want = static_cast<std::int64_t>(wanted);
   std::int64_t free = free_bytes();
   if (free < want) {
+    give_up_columns(static_cast<std::uint64_t>(want - free));
     trim_memory();  // gives memory that is free between packed rows back to the system, because it counts for --memory
     free = free_bytes();
   }
