@@ -9,7 +9,7 @@
 namespace ilot {
 
 std::uint64_t memory_to_fill(const RunOptions& options) {
-  constexpr std::uint64_t kLeftOut = 12u << 20;
+  constexpr std::uint64_t kLeftOut = 16u << 20;
   return options.memory_bytes - std::min(options.memory_bytes / 2, kLeftOut);
 }
 

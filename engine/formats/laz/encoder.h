@@ -5,8 +5,9 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <vector>
+#include <utility>
 
 #include "engine/cloud/record.h"
 
@@ -66,7 +67,7 @@ class Encoder {
       make_room();
       out_[size_++] = 0;
     }
-    return std::as_bytes(std::span(out_)).first(size_);
+    return std::as_bytes(std::span(out_.get(), size_));
   }
 
  private:
@@ -90,10 +91,15 @@ class Encoder {
     base_ <<= 8 * bytes;
     length_ = length << 8 * bytes;
   }
+  // Bytes behind the stream are not written to, so that they take no memory yet.
   void make_room() {
     constexpr std::size_t kFirst = 1024, kStored = 4;
-    if (out_.size() < size_ + kStored) [[unlikely]]
-      out_.resize(std::max(kFirst, 2 * out_.size()));
+    if (room_ >= size_ + kStored) [[likely]]
+      return;
+    room_ = std::max(kFirst, 2 * room_);
+    auto larger = std::make_unique_for_overwrite<std::uint8_t[]>(room_);
+    std::copy_n(out_.get(), size_, larger.get());
+    out_ = std::move(larger);
   }
   // The sum of all bytes so far is below one, so there is a byte that takes the carry.
   void carry() {
@@ -104,8 +110,8 @@ class Encoder {
 
   std::uint32_t base_ = 0, length_ = 0xFFFFFFFFu;
   std::uint32_t epoch_ = 0;
-  std::vector<std::uint8_t> out_;  // only grows
-  std::size_t size_ = 0;           // bytes of the stream
+  std::unique_ptr<std::uint8_t[]> out_;  // only grows
+  std::size_t room_ = 0, size_ = 0;      // bytes; of the stream
 };
 
 }  // namespace ilot::laz
