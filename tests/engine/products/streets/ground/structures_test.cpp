@@ -120,16 +120,16 @@ TEST(Structures, WallsCrownsAndTheRestFromTheStreet) {
   EXPECT_EQ(at(found, 30, 16), Structure::none) << "nothing stands there";
 }
 
-// A cloud that is cut at 3 m: what is left of a facade between two gaps is longer than a van.
+// A cloud that is cut at 4 m: what is left of a facade between gaps is longer than a van.
 TEST(Structures, AWallThatIsCutLowIsAHouseFromTheStreet) {
-  const auto wall_of = [](std::uint32_t cells) {
+  const auto walls_of = [](std::uint32_t cells) {
     StreetScene scene;
     scene.hide({0, 0, kCellsWide, 8});
-    scene.add_wall({30, 8, cells, 1}, 3000);
+    for (const std::uint32_t x : {5u, 36u, 67u}) scene.add_wall({x, 8, cells, 1}, 4000);
     return scene.structure(60);
   };
-  EXPECT_EQ(at(wall_of(28), 40, 8), Structure::wall) << "11 m";
-  EXPECT_EQ(at(wall_of(20), 40, 8), Structure::none) << "8 m";
+  EXPECT_EQ(at(walls_of(28), 45, 8), Structure::wall) << "11 m";
+  EXPECT_EQ(at(walls_of(20), 45, 8), Structure::none) << "8 m";
 }
 
 TEST(Structures, AShedIsNoHouseFromTheAir) {
