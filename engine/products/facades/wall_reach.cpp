@@ -11,10 +11,9 @@ namespace ilot {
 namespace {
 
 // Choice: at three times the distance to its planes a wall has a tenth of their density.
-constexpr double kReach = 12;  // metres
+constexpr double kGrowthReach = 12;  // metres
 // Choice: half of a wide window: one that a border cuts is whole in one of two parts.
 constexpr double kAroundPart = 1.5;  // metres of the wall around a part in which openings are searched too
-
 
 // The wall and the room around it.
 WallGroup with_room(const WallGroup& wall, const GrowthRoom& room, double metres) {
@@ -90,7 +89,7 @@ void add_new(std::vector<FoundRectangle>&& found, std::vector<FoundRectangle>& o
 
 void find_sparse_parts(const FacadeWork& work, std::span<WallGroup> walls, const WallParams& params,
                        const PassContext& context) {
-  const std::vector<GrowthRoom> rooms = growth_rooms(walls, kReach, params);
+  const std::vector<GrowthRoom> rooms = growth_rooms(walls, kGrowthReach, params);
   std::vector<PassTask> tasks;
   const auto around = [&](std::size_t i) {
     FacadeWork own{work.store, work.final_id, {}, {}};
@@ -115,7 +114,7 @@ void find_sparse_parts(const FacadeWork& work, std::span<WallGroup> walls, const
         });
     wall.sparse = growth.parts();
   });
-  share_growth(walls, kReach, params);
+  share_growth(walls, kGrowthReach, params);
 }
 
 WallGroup group_of_part(const WallGroup& wall, const SparsePart& part, double metres_per_unit) {
@@ -129,8 +128,7 @@ WallGroup group_of_part(const WallGroup& wall, const SparsePart& part, double me
   const double slope = length > 0 ? (part.w1 - part.w0) / length : 0;
   const double w = part.w0 + slope * (part.upright ? box.u0 - part.u0 : box.v0 - part.v0);
   FacadeAxes& axes = group.axes;
-  axes.origin =
-      wall.axes.origin + (1 / metres_per_unit) * (box.u0 * axes.right + box.v0 * axes.up + w * axes.out);
+  axes.origin = wall.axes.origin + (1 / metres_per_unit) * (box.u0 * axes.right + box.v0 * axes.up + w * axes.out);
   Vec3& along = part.upright ? axes.right : axes.up;
   along = along + slope * wall.axes.out;
   along = (1 / norm(along)) * along;

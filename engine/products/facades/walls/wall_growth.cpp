@@ -23,8 +23,8 @@ constexpr double kChance = 1.0 / 3;  // share of points that are on it by chance
 constexpr double kMostDrift = 0.1;  // metres
 // Choice: a bow of 3 cm over 10 m leans by 1.2 cm a metre at its ends; the next house steps at once.
 constexpr std::int64_t kStripsOfBow = 2;  // strips from one change of the distance, by half of epsilon, to the next
-constexpr double kSureOfStrip = 3;                   // Derived: three standard deviations
-constexpr double kMostOnPlane = 0.5;                 // Derived: a majority of the points
+constexpr double kSureOfStrip = 3;        // Derived: three standard deviations
+constexpr double kMostOnPlane = 0.5;      // Derived: a majority of the points
 // Choice: windows and doors take up to two thirds of a strip.
 constexpr double kStripCovered = 1.0 / 3;  // share of the cells of a strip with points on the plane
 constexpr double kLeastStrip = 2;          // Choice: facades.least_height; metres of a strip with points on the plane
@@ -47,7 +47,8 @@ FlatBox plan_box(const WallGroup& wall, double metres) {
 }
 
 // The box of another wall in the axes of a wall, if it is along it: of its planes, or with its sparse parts.
-std::optional<Box2> box_along(const WallGroup& wall, const WallGroup& other, const Box2& box, const WallParams& params) {
+std::optional<Box2> box_along(const WallGroup& wall, const WallGroup& other, const Box2& box,
+                              const WallParams& params) {
   const double metres = params.metres_per_unit, turn = dot(wall.axes.out, other.axes.out);
   if (std::abs(turn) < cos_degrees(kTurned)) return std::nullopt;
   const Vec3 d = metres * (other.axes.origin - wall.axes.origin);
@@ -98,9 +99,8 @@ void give_way(const Box2& other, WallGroup& wall) {
     p.u1 = std::min(p.u1, wall.width + room.right), p.u0 = std::max(p.u0, -room.left);
     if (p.u1 - p.u0 >= kLeastGrowth) whole.u0 = std::min(whole.u0, p.u0), whole.u1 = std::max(whole.u1, p.u1);
   }
-  std::erase_if(wall.sparse, [](const SparsePart& p) {
-    return p.u1 - p.u0 < kLeastGrowth || p.v1 - p.v0 < kLeastGrowth;
-  });
+  std::erase_if(wall.sparse,
+                [](const SparsePart& p) { return p.u1 - p.u0 < kLeastGrowth || p.v1 - p.v0 < kLeastGrowth; });
 }
 
 }  // namespace
