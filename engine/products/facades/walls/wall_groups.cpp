@@ -226,9 +226,11 @@ std::vector<WallGroup> find_walls(std::span<const Segment> segments, const Stree
         join_coplanar(upright, taken, params, group, all, ends.empty() ? nullptr : &parts, ends);
     set_box(group, all, params.metres_per_unit);
     group.core0 = group.width, group.core1 = 0;
-    for (KnownPart& part : parts) {
-      part.box.u0 -= all.u0, part.box.u1 -= all.u0;  // the origin has moved
-      if (part.known)
+    for (KnownPart& part : parts)  // the origin has moved
+      part.box.u0 -= all.u0, part.box.u1 -= all.u0, part.box.v0 -= all.v0, part.box.v1 -= all.v0;
+    for (const KnownPart& part : parts) {
+      const WallExtent stretch{part.box.u0, part.box.u1, 0, group.height, 0, 0};
+      if (part.known || are_along(stretch, parts))
         group.core0 = std::min(group.core0, part.box.u0), group.core1 = std::max(group.core1, part.box.u1);
     }
     if (group.width < params.least_width || group.height < params.least_height || group.area_m2 < params.least_area) {

@@ -9,6 +9,8 @@ namespace {
 
 // Derived: a majority.
 constexpr double kAlongside = 0.5;  // share of the width of a plane
+// Derived: a majority; scraps that lie in the plane of a wall by chance are lower.
+constexpr double kMostOfHeight = 0.5;  // share of the height of a plane
 
 // Whether the wall steps back or forth between two segments, seen at the ends that are nearest to each other. Half of
 // the way between them follows the one, half the other.
@@ -58,9 +60,18 @@ bool steps_off(const WallExtent& e, std::size_t index, std::span<const KnownPart
   return common < kAlongside * narrower && steps_between(ends[nearest->index], ends[index], params);
 }
 
+bool are_along(const WallExtent& e, std::span<const KnownPart> parts) {
+  double height = 0;
+  for (const KnownPart& part : parts)
+    if (std::min(part.box.u1, e.u1) - std::max(part.box.u0, e.u0) >= kAlongside * (e.u1 - e.u0))
+      height += std::max(0.0, std::min(part.box.v1, e.v1) - std::max(part.box.v0, e.v0));
+  return height >= kMostOfHeight * (e.v1 - e.v0);
+}
+
 bool is_beside(const WallExtent& e, const Segment& s, std::span<const KnownPart> parts, const WallParams& params) {
   const double width = e.u1 - e.u0;
   if (s.area_m2 < params.least_area || width < params.least_width || e.v1 - e.v0 < params.least_height) return false;
+  if (are_along(e, parts)) return false;
   double from = e.u0, to = e.u1;  // the stretch without a part, from the parts on both sides
   bool left = false, right = false;
   for (const KnownPart& part : parts) {

@@ -23,6 +23,10 @@ bool is_far(const WallExtent& e, std::span<const KnownPart> parts, double gap);
 bool steps_off(const WallExtent& e, std::size_t index, std::span<const KnownPart> parts,
                std::span<const SegmentEnds> ends, const WallParams& params);
 
+// Whether parts of the wall, one above the other, are along most of the width and height of a box: fields between
+// pilasters are narrower than a wall each.
+bool are_along(const WallExtent& e, std::span<const KnownPart> parts);
+
 // Whether a plane as large as a wall fills a stretch of the street in which the wall has no part of its own. Relief has
 // its wall above, below, or on both sides.
 bool is_beside(const WallExtent& e, const Segment& s, std::span<const KnownPart> parts, const WallParams& params);

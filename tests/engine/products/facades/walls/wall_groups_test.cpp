@@ -91,6 +91,27 @@ TEST(WallGroups, PiecesOfOneWallAndItsReliefStayTogether) {
   EXPECT_EQ(walls[0].parallel.size(), 1u);
 }
 
+// Fields that are narrower than a wall, and planes over two pilasters each, which are wide enough to be walls.
+TEST(WallGroups, FieldsBetweenPilastersAreOneWall) {
+  std::vector<Segment> segments;
+  std::vector<SegmentEnds> ends;
+  for (std::uint32_t k = 0; k < 5; ++k) {
+    segments.push_back(upright(k + 1, 0, 2.1 * k, 2.1 * k + 1.5, 0, 14, 0));
+    ends.emplace_back();
+  }
+  for (std::uint32_t k = 0; k < 2; ++k) {
+    Segment pilasters = upright(6 + k, 0, 4.2 * k + 1.5, 4.2 * k + 4.2, 0, 14, 0.17);
+    pilasters.area_m2 = 11;
+    segments.push_back(pilasters);
+    ends.push_back(ends_of(pilasters));
+  }
+  const auto walls = find_walls(segments, {std::vector<Vec3>{{5, -9, 1.6}}, {}}, {}, ends);
+  ASSERT_EQ(walls.size(), 1u);
+  EXPECT_EQ(walls[0].segments.size(), 5u);
+  EXPECT_NEAR(walls[0].width, 9.9, 0.02);
+  EXPECT_EQ(walls[0].parallel.size(), 2u);
+}
+
 TEST(WallGroups, SetBackWallsAndCornersArePartOfNothing) {
   const std::vector<Segment> segments{upright(1, 0, 0, 15, 0, 13, 0), upright(2, 0, 15.5, 28, 0, 12, 0.2),
                                       upright(3, 90, 0, 10, 0, 13, 0)};
