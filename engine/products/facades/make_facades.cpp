@@ -17,6 +17,7 @@
 #include "engine/products/facades/facade_proofs.h"
 #include "engine/products/facades/rays/registration_error.h"
 #include "engine/products/facades/wall_pieces.h"
+#include "engine/products/facades/wall_reach.h"
 #include "engine/products/facades/wall_sides.h"
 #include "engine/products/facades/walls/dormers.h"
 #include "engine/products/facades/walls/facade_joints.h"
@@ -243,7 +244,8 @@ void find_each(const FacadeSearch& search, std::span<const std::vector<WallGroup
     if (inputs.crs.epsg > 0) gathered.site.crs = fmt::format("EPSG:{}", inputs.crs.epsg);
     const RaySamples samples(gathered.site, gathered.points, work.store.folder(), gathered.far);
     const bool observed = search.observer != nullptr && search.observer->facade == i + 1;
-    run.found[i] = find_facade(samples, params, observed ? &search.observer->steps : nullptr);
+    run.found[i] = find_facade(samples, params, observed ? &search.observer->steps : nullptr,
+                               sparse_findings(work, run.walls[i], params.openings));
     if (observed && search.observer->look) search.observer->look(samples);
     std::vector<DormerFront> fronts;
     for (const WallGroup& front : dormers[i]) {
@@ -280,6 +282,7 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   const std::vector<double> odds = odds_of_sides(*run, planes.segments, pieces, middle, params, context);
   const StreetSides sides{run->stations, middle, odds};
   run->walls = find_walls(pieces.segments, sides, params, pieces.ends);
+  find_sparse_parts(work, run->walls, params, context);
   std::erase_if(run->walls, [&](const WallGroup& wall) { return !is_wanted(wall, store.unit(), context); });
   work.recorded = run->stations.size() > 1 && write_station_column(store, inputs, context, progress, record);
   FacadeEditStep edits(inputs.edits, run->walls, context, store.unit(), EditTally(progress, record));
@@ -291,12 +294,14 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   std::uint64_t points = 0;
   for (const WallGroup& wall : run->walls) {
     const std::uint64_t count = points_to_read(work, wall);
-    tasks.push_back({facade_bytes(gather_facade(work, wall).site, count, concurrency), count});
+    const std::uint64_t bytes = facade_bytes(gather_facade(work, wall).site, count, concurrency);
+    tasks.push_back({bytes + bytes_of_sparse_parts(work, wall), count});
     points += count;
   }
   progress.begin_stage("facades", points, {run->walls.size(), run->walls.size() == 1 ? "facade" : "facades"});
   run->found.resize(run->walls.size());
   find_each({settings, inputs, context, concurrency, observer}, dormers, tasks, *run);
+  for (WallGroup& wall : run->walls) include_sparse_parts(wall, context.metres_per_unit);
   edits.edit(run->found);
   join_facades(run->found, small_walls(run->walls, pieces.segments, sides, params, pieces.ends),
                settings.facades.advanced, context.metres_per_unit);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/pass/pass.h"
 #include "engine/products/facades/walls/street_side.h"
@@ -113,6 +114,12 @@ void turn_wall(WallGroup& wall, double metres_per_unit) {
   axes.origin = axes.origin + (wall.width / metres_per_unit) * axes.right;
   axes.right = -1.0 * axes.right;
   axes.out = -1.0 * axes.out;
+  for (SparsePart& part : wall.sparse) {
+    const double u0 = wall.width - part.u1;
+    part.u1 = wall.width - part.u0, part.u0 = u0;
+    part.w0 = -part.w0, part.w1 = -part.w1;
+    if (part.upright) std::swap(part.w0, part.w1);
+  }
 }
 
 }  // namespace ilot

@@ -157,11 +157,9 @@ FacadeElement wall_of(const RaySamples& samples, const WallOutline& outline) {
   e.kind = "outline";
   e.region = FacadeRegion::facade;
   e.edges = outline.edges;
-  for (const Place2& p : outline.ring) {
-    e.ring.push_back(place_of(site, p.u, p.v, 0));
-    e.width_m = std::max(e.width_m, p.u);
-    e.height_m = std::max(e.height_m, p.v);
-  }
+  for (const Place2& p : outline.ring) e.ring.push_back(place_of(site, p.u, p.v, 0));
+  const Box2 box = box_of(outline.ring);
+  e.width_m = box.width(), e.height_m = box.v1;
   e.width_error_m = e.height_error_m = site.step;
   e.points = samples.points_on_wall();
   return e;

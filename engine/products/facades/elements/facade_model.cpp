@@ -169,8 +169,19 @@ std::vector<ShutterLeaf> leaves_of(const RaySamples& samples, const std::vector<
   return leaves;
 }
 
+// The box of the wall and its sparse parts. Along their ends there are points, as far apart as in the sparsest part.
+WallOutline outline_of_all(const SparseFindings& sparse) {
+  const Box2& b = sparse.box;
+  WallOutline outline{{{b.u0, b.v0}, {b.u1, b.v0}, {b.u1, b.v1}, {b.u0, b.v1}}, {}};
+  FacadeEdge edge;
+  edge.error_m = sparse.step;
+  outline.edges.assign(outline.ring.size(), edge);
+  return outline;
+}
+
 std::vector<ElementCandidate> candidates_of(const RaySamples& samples, const FacadeParams& params,
-                                            std::vector<UnseenArea>& unseen, FacadeSteps* steps) {
+                                            const SparseFindings& sparse, std::vector<UnseenArea>& unseen,
+                                            FacadeSteps* steps) {
   std::vector<FoundRectangle> openings, relief, stones, large;
   std::vector<FlatPlate> plates;
   std::vector<StandingLeaf> standing;
@@ -182,6 +193,9 @@ std::vector<ElementCandidate> candidates_of(const RaySamples& samples, const Fac
       [&] { standing = find_standing_leaves(samples); },
       [&] { openings = find_openings(samples, params.openings, steps == nullptr ? nullptr : &steps->cells, &unseen); }};
   parallel_for_limited(params.concurrency, searches.size(), [&](std::size_t i) { searches[i](); });
+  for (const FoundRectangle& r : sparse.openings)
+    if (!shares_area(r.box(), openings)) openings.push_back(r);
+  unseen.insert(unseen.end(), sparse.unseen.begin(), sparse.unseen.end());
   if (steps != nullptr) {
     steps->openings = openings;
     steps->relief = relief;
@@ -234,6 +248,14 @@ void find_ends(std::vector<ElementCandidate>& candidates, const RaySamples& samp
 
 }  // namespace
 
+bool shares_area(const Box2& box, const std::vector<FoundRectangle>& openings) {
+  const double own = box.width() * box.height();
+  return std::any_of(openings.begin(), openings.end(), [&](const FoundRectangle& o) {
+    const Box2 other = o.box();
+    return common_area(box, other) > kMostOf * std::min(own, other.width() * other.height());
+  });
+}
+
 std::uint64_t facade_bytes(const FacadeSite& site, std::uint64_t points, std::size_t concurrency) {
   // Derived: the bytes of the images of depths, counts and labels of a cell, added up; a bound of memory, no result
   // depends on it.
@@ -247,10 +269,11 @@ std::uint64_t facade_bytes(const FacadeSite& site, std::uint64_t points, std::si
          std::min(kBands + kSorting, kPoint * points) + concurrency * std::min(kPerWorker, kPoint * points);
 }
 
-FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, FacadeSteps* steps) {
+FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, FacadeSteps* steps,
+                        const SparseFindings& sparse) {
   const FacadeSite& site = samples.site();
   std::vector<UnseenArea> unseen;
-  std::vector<ElementCandidate> candidates = candidates_of(samples, params, unseen, steps);
+  std::vector<ElementCandidate> candidates = candidates_of(samples, params, sparse, unseen, steps);
   const std::vector<Irregularity> irregular =
       find_irregularities(samples, boxes_of_elements(candidates), params.irregular);
   drop_patches(candidates, irregular);
@@ -268,11 +291,11 @@ FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, F
   FoundFacade found;
   Facade& f = found.facade;
   f.crs = site.crs;
-  f.origin = site.axes.origin;
+  f.origin = site.axes.origin + (sparse.box.u0 / site.metres_per_unit) * site.axes.right;
   f.right = site.axes.right;
   f.up = site.axes.up;
   f.out = site.axes.out;
-  const WallOutline outline = wall_outline(samples, params.outline);
+  const WallOutline outline = sparse.step > 0 ? outline_of_all(sparse) : wall_outline(samples, params.outline);
   if (steps != nullptr) {
     steps->drawn = candidates;
     steps->irregular = irregular;

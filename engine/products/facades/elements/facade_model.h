@@ -41,10 +41,23 @@ struct FacadeSteps {
   WallOutline outline;
 };
 
+// What was found in the sparse parts of a wall, in the axes of the wall.
+struct SparseFindings {
+  std::vector<FoundRectangle> openings;
+  std::vector<UnseenArea> unseen;
+  Box2 box;         // the wall with these parts
+  double step = 0;  // metres between the points of the sparsest part; 0: the wall has no such part
+};
+
+// Whether an opening has more than half of its area, or of this box, in common with the box.
+bool shares_area(const Box2& box, const std::vector<FoundRectangle>& openings);
+
 // Finds the outline of the wall first, then its openings and relief. These get a kind, are brought into rows and
 // families, and are completed where shadows hid them. The order of the points of the site does not change the result.
-// Fills `steps` where they are given. O(n log n).
-FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params = {}, FacadeSteps* steps = nullptr);
+// Openings of sparse parts are added to those of the wall, and the outline is then the box of all. Fills `steps` where
+// they are given. O(n log n).
+FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params = {}, FacadeSteps* steps = nullptr,
+                        const SparseFindings& sparse = {});
 
 // The largest memory that the rays and find_facade() need for a site with so many points.
 std::uint64_t facade_bytes(const FacadeSite& site, std::uint64_t points, std::size_t concurrency);

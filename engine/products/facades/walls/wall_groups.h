@@ -40,6 +40,15 @@ struct SegmentEnds {
   EndPlane left, right;
 };
 
+// A part of a wall beyond its planes, in the axes of the wall, in metres.
+struct SparsePart {
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+  double step = 0;  // between its points
+  // The wall bows: its distance from its plane at the lower and the upper end of u (upright) or of v.
+  double w0 = 0, w1 = 0;
+  bool upright = true;
+};
+
 struct WallGroup {
   FacadeAxes axes;
   double width = 0, height = 0, area_m2 = 0, epsilon = 0, rms = 0;
@@ -50,6 +59,7 @@ struct WallGroup {
   double above = 0;                     // metres above the wall that its dormers reach
   // The natural logarithm of the odds that `out` points to the street; infinite where a station decides.
   double side_odds = INFINITY;
+  std::vector<SparsePart> sparse;  // where the wall goes on with too few points for a plane
 };
 
 // What is known of the side of walls: the stations, or else the log odds that the street is on the side of the normal

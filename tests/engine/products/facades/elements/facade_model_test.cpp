@@ -52,6 +52,26 @@ double top(const FacadeElement& e) {
   return e.ring[2].z;
 }
 
+// Beyond the end of the wall, where its points are sparse, a window was found, and one of the wall once more.
+TEST(FacadeModel, SparsePartsBelongToTheFacade) {
+  const FacadeSite site = scanned(windows_with_sills());
+  const auto rectangle = [](double u0, double u1) {
+    FoundRectangle r;
+    r.side(Side::left).at = u0, r.side(Side::right).at = u1, r.side(Side::bottom).at = 1.5, r.side(Side::top).at = 3.2;
+    for (LocatedEdge& e : r.sides) e.error = 0.2;
+    return r;
+  };
+  SparseFindings sparse;
+  sparse.openings = {rectangle(7, 8.1), rectangle(4.5, 5.6)};
+  sparse.box = {0, 9, 0, site.height};
+  sparse.step = 0.3;
+  const Facade facade = find_facade(RaySamples(site), {}, nullptr, sparse).facade;
+  ASSERT_EQ(of_kind(facade, "window").size(), 4u);
+  EXPECT_NEAR(right(of_kind(facade, "window")[3]), 8.1, 0.2);
+  EXPECT_NEAR(facade.width_m, 9, 1e-9);
+  for (const FacadeEdge& edge : facade.elements[0].edges) EXPECT_EQ(edge.error_m, 0.3);
+}
+
 TEST(FacadeModel, EveryWindowToTheMillimetre) {
   const FoundFacade found = find_facade(scanned(windows_with_sills()));
   const auto windows = of_kind(found.facade, "window");
