@@ -13,7 +13,7 @@ namespace ilot {
 namespace {
 
 constexpr std::uint32_t kWidth = 60, kHeight = 40;
-constexpr Occupancy kLow = 0b11'1110, kHigh = 0b11'1111'1111'1100'0000;  // 10 to 60 cm, and on to 1.8 m
+constexpr Occupancy kLowBins = 0b11'1110, kHighBins = 0b11'1111'1111'1100'0000;  // 10 to 60 cm, and on to 1.8 m
 
 // Pixels of 5 cm and bins of 10.
 struct Street {
@@ -36,8 +36,8 @@ struct Street {
 
 Street post_in_a_hedge() {
   Street s;
-  s.add_box({5, 10, 40, 14}, kLow, 1);
-  s.add_box({20, 15, 3, 3}, kLow | kHigh, 1);
+  s.add_box({5, 10, 40, 14}, kLowBins, 1);
+  s.add_box({20, 15, 3, 3}, kLowBins | kHighBins, 1);
   return s;
 }
 
@@ -51,18 +51,18 @@ TEST(Columns, APostInAHedgeIsOne) {
 
 TEST(Columns, NeitherAHedgeNorAWallNorWhatIsLowIsOne) {
   Street hedge, wall, stub, beside;
-  hedge.add_box({5, 10, 40, 14}, kLow, 1);
-  wall.add_box({5, 10, 40, 2}, kLow | kHigh, 1);
-  stub.add_box({20, 15, 3, 3}, kLow >> 1 & kLow, 1);  // free over 40 cm
-  beside.add_box({20, 15, 3, 3}, kLow | kHigh, 1);
-  beside.add_box({31, 15, 10, 3}, kLow | kHigh, 1);  // 40 cm away, as high
+  hedge.add_box({5, 10, 40, 14}, kLowBins, 1);
+  wall.add_box({5, 10, 40, 2}, kLowBins | kHighBins, 1);
+  stub.add_box({20, 15, 3, 3}, kLowBins >> 1 & kLowBins, 1);  // free over 40 cm
+  beside.add_box({20, 15, 3, 3}, kLowBins | kHighBins, 1);
+  beside.add_box({31, 15, 10, 3}, kLowBins | kHighBins, 1);  // 40 cm away, as high
   for (const Street& s : {hedge, wall, stub, beside}) EXPECT_EQ(s.columns().count, 0u);
 }
 
 TEST(Columns, UnderACrownTheTrunkIsFree) {
   Street s;
   s.add_box({5, 5, 30, 30}, Occupancy{0b111} << 25, 1);
-  s.add_box({18, 18, 5, 5}, kLow | kHigh, 1);
+  s.add_box({18, 18, 5, 5}, kLowBins | kHighBins, 1);
   EXPECT_EQ(s.pixels_of(s.columns(), 1), 25u);
 }
 
@@ -82,8 +82,8 @@ TEST(Columns, AreCutFromThePartThatContainsMostOfThem) {
 // What is little more than a column is no other part.
 TEST(Columns, NothingIsCutOfWhichTooLittleIsLeft) {
   Street s;
-  s.add_box({20, 15, 4, 4}, kLow | kHigh, 1);
-  s.add_box({24, 15, 20, 1}, kLow, 1);
+  s.add_box({20, 15, 4, 4}, kLowBins | kHighBins, 1);
+  s.add_box({24, 15, 20, 1}, kLowBins, 1);
   ASSERT_EQ(s.pixels_of(s.columns(), 1), 16u);
   PixelLabels parts = s.parts;
   EXPECT_TRUE(cut_columns(s.columns(), 21, parts).empty());
@@ -94,8 +94,8 @@ TEST(Columns, NothingIsCutOfWhichTooLittleIsLeft) {
 // The tree holds a part as it was before its columns were cut, and all above.
 TEST(Columns, AreJoinedFirstWithWhatTheyWereCutFrom) {
   Street s = post_in_a_hedge();
-  s.add_box({40, 15, 3, 3}, kLow | kHigh, 1);
-  s.add_box({45, 10, 10, 14}, kLow, 2);
+  s.add_box({40, 15, 3, 3}, kLowBins | kHighBins, 1);
+  s.add_box({45, 10, 10, 14}, kLowBins, 2);
   Image heights = filled_image(kWidth, kHeight, kNoHeight);
   for (std::size_t i = 0; i < heights.size(); ++i)
     if (s.parts.of[i] != 0) heights.values[i] = 600;
