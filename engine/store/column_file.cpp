@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <memory>
-#include <mutex>
 #include <string>
 
 #include "engine/error.h"
@@ -43,47 +41,6 @@ std::uint32_t check_of(const ColumnHeader& h) {
 // The type as the cache keeps it.
 std::uint32_t number_of(ValueType type) {
   return static_cast<std::uint32_t>(type.kind) << 16 | type.bytes;
-}
-
-// The kept values that are being read. A ColumnInput has a number of this table, below that of no file (-1), in place
-// of the number of a file.
-class KeptReaders {
- public:
-  static bool has(int number) { return number < -1; }
-
-  int add(std::shared_ptr<const KeptBytes> values) {
-    const std::lock_guard lock(mutex_);
-    if (free_.empty()) {
-      values_.emplace_back();
-      free_.push_back(values_.size() - 1);
-    }
-    const std::size_t place = free_.back();
-    free_.pop_back();
-    values_[place] = std::move(values);
-    return -2 - static_cast<int>(place);
-  }
-  std::span<const std::byte> at(int number) {
-    const std::lock_guard lock(mutex_);
-    return values_[place_of(number)]->bytes();
-  }
-  void remove(int number) {
-    std::shared_ptr<const KeptBytes> last;  // is freed without the lock
-    const std::lock_guard lock(mutex_);
-    last.swap(values_[place_of(number)]);
-    free_.push_back(place_of(number));
-  }
-
- private:
-  static std::size_t place_of(int number) { return static_cast<std::size_t>(-2 - number); }
-
-  std::mutex mutex_;
-  std::vector<std::shared_ptr<const KeptBytes>> values_;
-  std::vector<std::size_t> free_;
-};
-
-KeptReaders& kept_readers() {
-  static KeptReaders readers;
-  return readers;
 }
 
 std::string text_of(ValueType type) {
@@ -147,12 +104,12 @@ void ColumnOutput::commit() {
 }
 
 ColumnInput::ColumnInput(std::filesystem::path path, ValueType type) : path_(std::move(path)) {
-  auto kept = kept_file(path_);
-  if (kept && kept->type() == number_of(type)) {
-    count_ = kept->bytes().size() / type.bytes;
-    file_ = kept_readers().add(std::move(kept));
+  kept_ = kept_file(path_);
+  if (kept_ && kept_->type() == number_of(type)) {
+    count_ = kept_->bytes().size() / type.bytes;
     return;
   }
+  kept_ = nullptr;
   file_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
   if (file_ < 0) fail(path_, "cannot open");
   try {
@@ -160,18 +117,16 @@ ColumnInput::ColumnInput(std::filesystem::path path, ValueType type) : path_(std
     KeptBytes values(number_of(type), count_ * type.bytes);
     if (values.bytes().empty()) return;
     read_bytes(0, values.bytes());
-    kept = keep_file(path_, std::move(values));
+    kept_ = keep_file(path_, std::move(values));
   } catch (...) {
     ::close(file_);
     throw;
   }
-  ::close(file_);
-  file_ = kept_readers().add(std::move(kept));
+  ::close(std::exchange(file_, -1));
 }
 
 ColumnInput::~ColumnInput() {
   if (file_ >= 0) ::close(file_);
-  if (KeptReaders::has(file_)) kept_readers().remove(file_);
 }
 
 void ColumnInput::check(ValueType type) {
@@ -194,11 +149,11 @@ void ColumnInput::check(ValueType type) {
 }
 
 void ColumnInput::read_bytes(std::uint64_t offset, std::span<std::byte> out) const {
-  if (!KeptReaders::has(file_)) return fill(sizeof(ColumnHeader) + offset, out);
-  const std::span<const std::byte> kept = kept_readers().at(file_);
-  if (offset > kept.size() || out.size() > kept.size() - offset)
+  if (!kept_) return fill(sizeof(ColumnHeader) + offset, out);
+  const std::span<const std::byte> values = kept_->bytes();
+  if (offset > values.size() || out.size() > values.size() - offset)
     throw Error(path_.string() + ": shorter than expected" + kAdvice);
-  std::copy_n(kept.begin() + static_cast<std::ptrdiff_t>(offset), out.size(), out.begin());
+  std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(offset), out.size(), out.begin());
 }
 
 void ColumnInput::fill(std::uint64_t at, std::span<std::byte> out) const {

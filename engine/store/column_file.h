@@ -6,12 +6,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace ilot {
+
+class KeptBytes;
 
 enum class ValueKind : std::uint8_t { bytes, whole, unsigned_whole, real, record };
 
@@ -73,7 +76,7 @@ class ColumnInput {
   ColumnInput(const ColumnInput&) = delete;
   ColumnInput& operator=(const ColumnInput&) = delete;
   ColumnInput(ColumnInput&& o) noexcept
-      : path_(std::move(o.path_)), count_(o.count_), file_(std::exchange(o.file_, -1)) {}
+      : path_(std::move(o.path_)), count_(o.count_), file_(std::exchange(o.file_, -1)), kept_(std::move(o.kept_)) {}
 
   std::uint64_t count() const { return count_; }
   void read_bytes(std::uint64_t offset, std::span<std::byte> out) const;  // from the first value on
@@ -85,6 +88,7 @@ class ColumnInput {
   std::filesystem::path path_;
   std::uint64_t count_ = 0;
   int file_ = -1;
+  std::shared_ptr<const KeptBytes> kept_;  // all values, where the cache has them; then no file is open
 };
 
 template <class T>
