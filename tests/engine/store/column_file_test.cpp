@@ -161,7 +161,7 @@ TEST(ColumnFile, AnotherVersionIsRefused) {
     hash = (hash ^ static_cast<unsigned char>(other[i])) * 16777619u;
   for (std::size_t i = 0; i < 4; ++i) other[4 + i] = static_cast<char>(hash >> 8 * i & 0xff);
   folder.put("bad", other);
-  EXPECT_NE(error_of<char>(folder.path() / "bad").find("in format 2 of another version"), std::string::npos);
+  EXPECT_NE(error_of<char>(folder.path() / "bad").find("in format 3 of another version"), std::string::npos);
 }
 
 }  // namespace

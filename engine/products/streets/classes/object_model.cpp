@@ -115,7 +115,9 @@ class ModelReader {
     if (!(v[0] > 0)) fail("a class is never there");
     std::string name;
     std::getline(words >> std::ws, name);
-    model_.classes.push_back(label_named(name));
+    const PointLabel label = label_named(name);
+    if (!model_.classes.empty() && model_.classes.back() >= label) fail("the classes are not in their order");
+    model_.classes.push_back(label);
     model_.prior.push_back(v[0]);
     model_.min_similarity.push_back(v[1]);
   }

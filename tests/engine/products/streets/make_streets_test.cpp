@@ -5,10 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 #include <tuple>
 
 #include "engine/error.h"
@@ -20,6 +18,9 @@ namespace ilot {
 namespace {
 
 using nlohmann::json;
+using test::run_cloud;
+using test::street_points;
+using test::StreetsOutcome;
 
 TEST(StreetsProduct, AllFilesAreThere) {
   const TemporaryFolder folder;

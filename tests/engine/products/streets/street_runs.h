@@ -2,32 +2,25 @@
 // A small street, and a run of it with the product streets.
 #pragma once
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <span>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "engine/run/run.h"
 #include "tests/support/cloud_store.h"
+#include "tests/support/file_bytes.h"
 #include "training/object_model_training.h"
 
-namespace ilot {
+namespace ilot::test {
 
 inline ObjectModel learn(std::span<const TrainingSample> samples) {
   return train_object_model(samples);
 }
 
-inline std::string text_of(const std::filesystem::path& file) {
-  std::stringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
 inline nlohmann::json record_of(const std::filesystem::path& out) {
-  return nlohmann::json::parse(text_of(out / "run.nlohmann::json"));
+  return nlohmann::json::parse(file_bytes(out / "run.json"));
 }
 
 struct StreetsOutcome {
@@ -39,7 +32,7 @@ struct StreetsOutcome {
 inline StreetsOutcome run_cloud(const TemporaryFolder& folder, const std::vector<Index3>& points,
                                 const std::string& name, const std::function<void(RunOptions&)>& change = {}) {
   const auto cloud = folder.path() / "street.las";
-  test::write_cloud(cloud, points);
+  write_cloud(cloud, points);
   RunOptions options;
   options.inputs = {cloud};
   options.output = folder.path() / name;
@@ -72,4 +65,4 @@ inline std::vector<Index3> street_points(int slope_percent, int boxes, bool righ
   return points;
 }
 
-}  // namespace ilot
+}  // namespace ilot::test
