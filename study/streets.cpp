@@ -239,7 +239,7 @@ std::string recipe_of(const Arguments& a, std::size_t samples) {
   if (a.all_roles) text += " --all-roles";
   if (!a.roles.empty()) text += " --roles " + a.roles.filename().string();
   text += " --only-model --model " + a.model.filename().string() + "\n";
-  return text + fmt::format("{} things; {} folds by {}\n", samples, ObjectTrainingParams{}.folds,
+  return text + fmt::format("{} objects; {} folds by {}\n", samples, ObjectTrainingParams{}.folds,
                             a.clouds.size() >= kManyStreets ? "street" : "block");
 }
 

@@ -144,7 +144,7 @@ void check(std::span<const TrainingSample> samples, std::size_t least_classes) {
   for (const auto& [label, count] : counts)
     if (count < 2)
       throw Error(
-          "training needs two objects of each class at least; there is one of class " + object_class_name(label),
+          "training needs two objects of each class at least; there is one of class " + class_name_of(label, {}),
           ExitCode::usage);
 }
 

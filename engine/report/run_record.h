@@ -108,7 +108,7 @@ struct CrsRecord {
   std::string wkt;  // where no one code says it, as for plan and heights from two; else empty
 };
 
-// What --train learnt. judged and right: samples whose class was told by a model of the other folds.
+// What --train learnt. judged: samples that a model of the other folds classified; right: as they are.
 struct TrainedClass {
   std::string name;
   std::uint32_t label = 0;  // of points; from 100 on one's own

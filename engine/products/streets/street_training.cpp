@@ -24,7 +24,7 @@ constexpr double kNear = 0.5;  // metres; greatest distance from a place to its 
 constexpr double kGroupMetres = 25;  // side of a square in metres; candidates in one square are always in the same fold
 
 // Choice: as many as the training itself has.
-constexpr std::uint32_t kFolds = 5;  // of the cross-validation that is told
+constexpr std::uint32_t kFolds = 5;  // of the cross-validation in the record
 
 // The separated part nearest to a place; 0 = none.
 std::uint32_t part_at(const FoundStreet& street, Vec3 place) {

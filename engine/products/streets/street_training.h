@@ -23,7 +23,7 @@ const ObjectModel& library_model(StreetView view);
 // (objects.model). If `train` is empty, the model of the library is used. A place belongs to the separated candidate at
 // that place, or to the nearest one within half a metre. Of the joins that contain this candidate, the largest one that
 // contains no other place is the sample. Names that are none of ours are classes of one's own. How many samples a model
-// of the other folds classifies as they are is told in the model's recipe and in the record. Throws Error(usage) where
+// of the other folds classifies as they are stands in the model's recipe and in the record. Throws Error(usage) where
 // nothing can be trained.
 StreetClasses street_classes(const FoundStreet& street, const StreetTraining& train, const Crs& crs, Progress& progress,
                              RunRecord& record);

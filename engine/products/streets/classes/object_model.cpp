@@ -20,14 +20,6 @@ constexpr const char* kFirstLine = "ilot objects 3";
 // Choice: no class is excluded by one answer; smaller bounds let one tree decide.
 constexpr double kLeastShare = 1e-4;  // lower bound of a probability
 
-}  // namespace
-
-std::string object_class_name(PointLabel label) {
-  return class_name_of(label, {});
-}
-
-namespace {
-
 // Reads a model line by line. Each line is a keyword and its values.
 class ModelReader {
  public:

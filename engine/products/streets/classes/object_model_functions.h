@@ -46,9 +46,6 @@ inline std::size_t voted(const std::vector<double>& decisions, std::size_t k) {
   return static_cast<std::size_t>(std::max_element(votes.begin(), votes.end()) - votes.begin());
 }
 
-// The name of a class in the text of a model.
-std::string object_class_name(PointLabel label);
-
 // The logarithms of the shares of the states, before the weights are applied.
 std::array<double, kCandidateStates> state_logs(const KindShares& shares);
 

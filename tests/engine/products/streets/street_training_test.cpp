@@ -45,7 +45,7 @@ TEST(StreetTraining, LearnsFromPlaces) {
   features += "," + place(700005.01, 660003.8, "car");
   const auto train = folder.put("labels.geojson", collection(features));
   EXPECT_THROW(run_cloud(folder, street_points(2, 3), "one", [&](RunOptions& o) { o.train = train; }), Error)
-      << "one thing of a class is too little";
+      << "one object of a class is too little";
 }
 
 struct TestObject {
