@@ -22,31 +22,38 @@ struct Sums {
   std::vector<std::uint8_t> seen;  // a bit for each direction with a height
 };
 
+// Of one direction: pixels to the nearest height, and that height.
+struct Nearest {
+  std::vector<std::uint32_t> steps;
+  std::vector<Height> height;
+};
+
 // Adds the nearest height in one direction to every pixel. The pixels are visited so that the next one in the direction
 // comes before.
-void add_direction(const Image& ground, int number, std::uint32_t reach, Sums& sums) {
+void add_direction(const Image& ground, int number, std::uint32_t reach, Nearest& nearest, Sums& sums) {
   const auto [dx, dy] = kDirections[number];
   const auto width = static_cast<std::int64_t>(ground.width), height = static_cast<std::int64_t>(ground.height);
-  std::vector<std::uint32_t> steps(ground.size(), reach + 1);
-  std::vector<Height> nearest(ground.size(), kNoHeight);
+  nearest.steps.assign(ground.size(), reach + 1);
+  nearest.height.assign(ground.size(), kNoHeight);
   const bool forward = dy < 0 || (dy == 0 && dx < 0);
   for (std::int64_t n = 0; n < width * height; ++n) {
     const std::int64_t i = forward ? n : width * height - 1 - n;
     const auto at = static_cast<std::size_t>(i);
     if (ground.values[at] != kNoHeight) {
-      steps[at] = 0;
-      nearest[at] = ground.values[at];
+      nearest.steps[at] = 0;
+      nearest.height[at] = ground.values[at];
       continue;
     }
     const std::int64_t x = i % width + dx, y = i / width + dy;
     if (x < 0 || y < 0 || x >= width || y >= height) continue;
     const auto next = static_cast<std::size_t>(y * width + x);
-    if (steps[next] >= reach) continue;
-    steps[at] = steps[next] + 1;
-    nearest[at] = nearest[next];
-    const double weight = 1 / (static_cast<double>(steps[at]) * steps[at] * (dx * dx + dy * dy));
+    if (nearest.steps[next] >= reach) continue;
+    const std::uint32_t steps = nearest.steps[next] + 1;
+    nearest.steps[at] = steps;
+    nearest.height[at] = nearest.height[next];
+    const double weight = 1 / (static_cast<double>(steps) * steps * (dx * dx + dy * dy));
     sums.weight[at] += weight;
-    sums.height[at] += weight * nearest[at];
+    sums.height[at] += weight * nearest.height[at];
     sums.seen[at] = static_cast<std::uint8_t>(sums.seen[at] | 1u << number);
   }
 }
@@ -63,7 +70,8 @@ bool between(std::uint8_t seen) {
 Image filled_ground(const Image& ground, std::uint32_t reach) {
   Sums sums{std::vector<double>(ground.size()), std::vector<double>(ground.size()),
             std::vector<std::uint8_t>(ground.size())};
-  for (int k = 0; k < 8; ++k) add_direction(ground, k, reach, sums);
+  Nearest nearest;
+  for (int k = 0; k < 8; ++k) add_direction(ground, k, reach, nearest, sums);
   Image filled = ground;
   for (std::size_t i = 0; i < filled.size(); ++i)
     if (filled.values[i] == kNoHeight && between(sums.seen[i]))
