@@ -17,7 +17,7 @@ constexpr double kCostPerM2 = 1e4;
 // Choice: gaps in a face by wet tiles or snow guards are narrower; time grows with it.
 constexpr double kNearPlane = 3;  // metres around a plane's points where it is a candidate
 // Choice: higher walls cost no more, so that towers stay.
-constexpr double kTallestWall = 1;  // metres
+constexpr double kTallestWall = 0.5;  // metres
 constexpr Cost kForbidden = Cost{1} << 40;
 // Choice: points within epsilon of two planes decide little.
 constexpr double kForeign = 0.3;  // share of a point's area; cost of a point on another plane within epsilon

@@ -13,7 +13,7 @@ struct RoofModelParams {
   double same_angle = 3.5;      // degrees; planes that touch are joined up to this angle
   double least_epsilon = 0.08, most_epsilon = 0.3;     // metres; bounds of an epsilon from noise
   double main_roof_area = 12, main_roof_share = 0.15;  // m2, and share of the largest plane: see superstructures
-  double border_cost = 0.15, wall_cost = 0.1;          // m2 for a metre of border, for a square metre of wall
+  double border_cost = 0.3, wall_cost = 0.1;           // m2 for a metre of border, for a square metre of wall
   double overshoot = 0.5;                              // metres above its highest point that a face may rise
   double block_height = 0.7;                           // quantile of the heights of points: top of LoD1.2 and LoD1.3
   double lod13_step = 3;                               // metres between parts of LoD1.3; 0 = no LoD1.3
