@@ -166,7 +166,7 @@ Parameters advanced_roofs() {
       make_advanced("roofs.border_cost", ILOT_FIELD(roofs.advanced.border_cost), {0, 100}, "m2",
                     "cost of a metre of border between two faces, in area of points that contradict it"),
       make_advanced("roofs.wall_cost", ILOT_FIELD(roofs.advanced.wall_cost), {0, 100}, "m2",
-                    "cost of a square metre of wall between two faces, up to a height of 1 m"),
+                    "cost of a square metre of wall between two faces, up to a height of 0.5 m"),
       make_advanced("roofs.overshoot", ILOT_FIELD(roofs.advanced.overshoot), {0, 10}, "m",
                     "height to which a face may rise above its highest point"),
       make_advanced("roofs.block_height", ILOT_FIELD(roofs.advanced.block_height), {0, 1}, "",

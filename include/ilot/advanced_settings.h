@@ -18,7 +18,7 @@ struct AdvancedRoofs {
   double main_roof_area = 12;
   double main_roof_share = 0.15;  // share of the largest face, see roofs.main_roof_area
   double border_cost = 0.3;   // m2; cost of a metre of border between two faces, in area of points that contradict it
-  double wall_cost = 0.1;     // m2; cost of a square metre of wall between two faces, up to a height of 1 m
+  double wall_cost = 0.1;     // m2; cost of a square metre of wall between two faces, up to a height of 0.5 m
   double overshoot = 0.5;     // metres; height to which a face may rise above its highest point
   double block_height = 0.7;  // quantile of the heights of the points that gives the top of a block of LoD1.2
 };

@@ -13,7 +13,7 @@ namespace ilot {
 
 struct CellLabelParams {
   double border = 0.15;  // m2 of contradicting points; cost of a metre of border between two faces
-  double wall = 0.1;     // m2; cost of a square metre of wall between them, up to a height of 1 m
+  double wall = 0.1;     // m2; cost of a square metre of wall between them, up to a height of half a metre
   FaceLimits limits;
   bool forbid_falls = false;  // a face may also not fall below its limits
 };

@@ -11,6 +11,8 @@ namespace {
 
 // Derived: gaps of a decimetre shrink to a tenth of a millimetre.
 constexpr double kPenalty = 1000;  // weight of an agreement, in points of the largest face
+// Choice: slopes are regular (regular_planes.h), so faces rather move up or down; 100 gives no more level ridges.
+constexpr double kTilt = 10;  // what a squared change by tilting costs, in squared changes of height
 // Derived: a face with few points keeps its slope as if one more point lay a metre away on each side.
 constexpr double kPrior = 1;  // points
 constexpr int kReleases = 3;  // times that faces which would move too far are released
@@ -22,6 +24,7 @@ using Matrix3 = std::array<double, 6>;  // symmetric: xx xy xz yy yz zz
 struct Face {
   double x = 0, y = 0, points = 0;  // the mean of its points, metres
   Matrix3 normal{};                 // of the squared changes at its points
+  Matrix3 cost{};                   // the same with the weight of a tilt
 };
 struct Member {
   std::uint32_t face;
@@ -96,6 +99,10 @@ class Adjustment {
       Face& f = faces_[of_point[i] - 1];
       add_square({points[i].x - f.x, points[i].y - f.y, 1}, 1, f.normal);
     }
+    for (Face& f : faces_) {
+      f.cost = f.normal;
+      for (double* tilt : {&f.cost[0], &f.cost[1], &f.cost[3]}) *tilt *= kTilt;
+    }
   }
 
   void find_corners(const Partition& p, std::span<const RoofPlane> planes) {
@@ -143,14 +150,14 @@ class Adjustment {
 
   std::vector<Three> applied(const std::vector<Three>& change) const {
     std::vector<Three> out(faces_.size());
-    for (std::size_t f = 0; f < faces_.size(); ++f) out[f] = times(faces_[f].normal, change[f]);
+    for (std::size_t f = 0; f < faces_.size(); ++f) out[f] = times(faces_[f].cost, change[f]);
     add_corners([&](const Member& m) { return product(m.at, change[m.face]); }, out);
     return out;
   }
 
   std::vector<Matrix3> preconditioners() const {
     std::vector<Matrix3> blocks;
-    for (const Face& f : faces_) blocks.push_back(f.normal);
+    for (const Face& f : faces_) blocks.push_back(f.cost);
     for (const Corner& corner : corners_)
       for (const Member& m : corner)
         if (fixed_[m.face] == 0) add_square(m.at, kPenalty * most_ / 2, blocks[m.face]);

@@ -10,6 +10,7 @@
 
 #include "engine/products/roofs/faces/border_samples.h"
 #include "engine/products/roofs/faces/face_rectangles.h"
+#include "engine/products/roofs/faces/outline_directions.h"
 #include "engine/products/roofs/sites/step_offset.h"
 
 namespace ilot {
@@ -26,8 +27,6 @@ constexpr double kLeastRunSteps = 1;
 constexpr double kAligned = 0.1;  // metres between a step and the line onto which it is moved
 // Choice: three lost points in a row happen on wet tiles; a gap of four splits a line.
 constexpr double kLineGapSteps = 4;  // steps; a line ends where nothing of it is seen over this length
-// Choice: 3 degrees, the error of a line of ten steps.
-constexpr double kSameDirection = 0.9986;  // cosine of 3 degrees
 constexpr std::size_t kMostDirections = 16;
 
 double extension(const RoofPlanes& planes) {
@@ -84,39 +83,18 @@ std::vector<FlatEdge> outline_edges(const SitePolygon& outline) {
 // Returns the directions in which steps are likely to run, the likeliest first: those of the outline and across it, by
 // length; then those down the planes and along them.
 std::vector<FlatPoint> likely_directions(const RoofSite& site, const RoofPlanes& planes) {
-  std::vector<std::pair<double, FlatPoint>> weighted;  // by length
-  const auto add = [&](FlatPoint d, double weight) {
-    const double length = std::sqrt(dot(d, d));
-    if (length <= 0) return;
-    d = {d.x / length, d.y / length};
-    for (auto& [w, known] : weighted)
-      if (std::abs(dot(known, d)) >= kSameDirection) {
-        w += weight;
-        return;
-      }
-    weighted.push_back({weight, d});
-  };
-  std::vector<FlatEdge> edges = outline_edges(site.outline);
-  const auto length = [](const FlatEdge& e) {
-    return std::sqrt((e.b.x - e.a.x) * (e.b.x - e.a.x) + (e.b.y - e.a.y) * (e.b.y - e.a.y));
-  };
-  std::stable_sort(edges.begin(), edges.end(),
-                   [&](const FlatEdge& e, const FlatEdge& f) { return length(e) > length(f); });
-  for (const FlatEdge& e : edges) {
-    const FlatPoint d{e.b.x - e.a.x, e.b.y - e.a.y};
-    add(d, length(e));
-    add({-d.y, d.x}, length(e) / 2);
-  }
+  std::vector<WeightedDirection> weighted = outline_directions(site.outline);
   for (const RoofPlane& p : planes.planes) {
     if (p.gx * p.gx + p.gy * p.gy < kLeastSlopeChange * kLeastSlopeChange) continue;
     const double weight = std::sqrt(static_cast<double>(p.points)) * planes.step;
-    add({p.gx, p.gy}, weight);
-    add({-p.gy, p.gx}, weight);
+    add_direction({p.gx, p.gy}, weight, weighted);
+    add_direction({-p.gy, p.gx}, weight, weighted);
   }
-  std::stable_sort(weighted.begin(), weighted.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::stable_sort(weighted.begin(), weighted.end(),
+                   [](const WeightedDirection& a, const WeightedDirection& b) { return a.weight > b.weight; });
   std::vector<FlatPoint> directions;
-  for (const auto& [w, d] : weighted)
-    if (directions.size() < kMostDirections) directions.push_back(d);
+  for (const WeightedDirection& d : weighted)
+    if (directions.size() < kMostDirections) directions.push_back(d.along);
   return directions;
 }
 

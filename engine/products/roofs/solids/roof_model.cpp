@@ -14,6 +14,7 @@
 #include "engine/products/roofs/faces/corner_joining.h"
 #include "engine/products/roofs/faces/face_limits.h"
 #include "engine/products/roofs/faces/partition.h"
+#include "engine/products/roofs/faces/regular_planes.h"
 #include "engine/products/roofs/faces/roof_faces.h"
 #include "engine/products/roofs/faces/roof_lines.h"
 #include "engine/products/roofs/faces/roof_planes.h"
@@ -280,6 +281,7 @@ RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double
   }
   if (model.reason = too_sparse(site); !model.reason.empty()) return model;
   SupportedRoof roof = supported_roof(site, params);
+  if (params.detail > 0) make_regular(roof.site.outline, roof.site.points, roof.planes);
   if (steps != nullptr) steps->planes = roof.planes;
   if (!add_block(roof.site, roof.planes, params, metres_per_unit, check, model)) return model;
   if (roof.planes.planes.empty()) {
