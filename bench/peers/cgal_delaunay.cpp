@@ -65,6 +65,6 @@ int main(int argc, char** argv) {
       bench::compare({"alpha_shape", variant, 1, millions, "M points"},
                      {{"ilot", [&] { ours(set); }},
                       {"CGAL Delaunay_triangulation_2 and a filter", [&] { filtered(given, set.reach); }},
-                      {"CGAL Alpha_shape_2", [&] { alpha_shape(given, set.reach); }}});
+                      {"CGAL Alpha_shape_2, which prepares every alpha", [&] { alpha_shape(given, set.reach); }}});
     }
 }

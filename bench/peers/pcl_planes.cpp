@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Planes of a cloud compared with PCL's RegionGrowing, which uses angles and curvature but no epsilon. Its segments get
-// their least-squares planes, and the points farther than epsilon from these planes are counted.
-// Usage: bench_pcl_planes CLOUD EPSILON_M WORK_DIR
+// their least-squares planes, and the points farther than epsilon from these planes are counted. It also runs after
+// PCL's own normals. Usage: bench_pcl_planes CLOUD EPSILON_M WORK_DIR
+#include <pcl/features/normal_3d.h>
 #include <pcl/point_types.h>
 #include <pcl/search/kdtree.h>
 #include <pcl/segmentation/region_growing.h>
@@ -33,6 +34,16 @@ bench::Found region_growing(const bench::OrientedCloud& oriented, const Cloud::P
   return found;
 }
 
+Normals::Ptr own_normals(const Cloud::Ptr& cloud) {
+  pcl::NormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
+  estimation.setInputCloud(cloud);
+  estimation.setSearchMethod(pcl::search::KdTree<pcl::PointXYZ>::Ptr(new pcl::search::KdTree<pcl::PointXYZ>));
+  estimation.setKSearch(bench::kPlaneNeighbours);
+  const Normals::Ptr normals(new Normals);
+  estimation.compute(*normals);
+  return normals;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -45,9 +56,12 @@ int main(int argc, char** argv) try {
       cloud->emplace_back(small(p.x), small(p.y), small(p.z));
       normals->emplace_back(small(n.x), small(n.y), small(n.z));
     }
-    return std::vector<bench::PlaneWay>{{"PCL RegionGrowing, in memory", [&, epsilon](const bench::OrientedCloud& o) {
-                                           return region_growing(o, cloud, normals, epsilon);
-                                         }}};
+    return std::vector<bench::PlaneWay>{
+        {"PCL RegionGrowing, in memory",
+         [&, epsilon](const bench::OrientedCloud& o) { return region_growing(o, cloud, normals, epsilon); }},
+        {"PCL normals and RegionGrowing, in memory", [&, epsilon](const bench::OrientedCloud& o) {
+           return region_growing(o, cloud, own_normals(cloud), epsilon);
+         }}};
   });
 } catch (const Error& e) {
   bench::require(false, e.what());

@@ -154,8 +154,8 @@ struct PlaneWay {
   std::function<Found(const OrientedCloud&)> detect;
 };
 
-// argv: CLOUD EPSILON_M WORK_DIR [NAME]. With NAME, only the peers whose name contains NAME run. Clouds of more than
-// half a million points are timed in one round.
+// argv: CLOUD EPSILON_M WORK_DIR [NAME]. With NAME, only the peers whose name contains NAME run. One thread on each
+// side, three rounds; one round for clouds of more than two million points.
 inline void compare_planes(int argc, char** argv,
                            const std::function<std::vector<PlaneWay>(const OrientedCloud&, double)>& peers) {
   require((argc == 4 || argc == 5) && std::atof(argv[2]) > 0, "usage: CLOUD EPSILON_M WORK_DIR [NAME]");
@@ -165,16 +165,16 @@ inline void compare_planes(int argc, char** argv,
   const OrientedCloud cloud = load_oriented(path);
   const double millions = static_cast<double>(cloud.points.size()) / 1e6;
   std::vector<PlaneWay> ways{
-      {"ilot, file to planes", [&](const OrientedCloud&) { return cloud_to_planes(path, epsilon, work); }},
-      {"ilot, file to files", [&](const OrientedCloud&) { return whole_run(path, epsilon, work); }}};
+      {"ilot, file to files", [&](const OrientedCloud&) { return whole_run(path, epsilon, work); }},
+      {"ilot, file to planes", [&](const OrientedCloud&) { return cloud_to_planes(path, epsilon, work); }}};
   for (PlaneWay& peer : peers(cloud, epsilon))
     if (peer.name.find(wanted) != std::string::npos) ways.push_back(std::move(peer));
   std::vector<Found> found(ways.size());
   std::vector<Way> timed;
   for (std::size_t i = 0; i < ways.size(); ++i)
     timed.push_back({ways[i].name, [&, i] { found[i] = ways[i].detect(cloud); }});
-  compare({"planes", "epsilon " + std::to_string(epsilon).substr(0, 5) + " m, " + in_millions(millions), 2, millions,
-           "M points", millions > 0.5 ? 1 : 3},
+  compare({"planes", "epsilon " + std::to_string(epsilon).substr(0, 5) + " m, " + in_millions(millions), 1, millions,
+           "M points", millions > 2 ? 1 : 3},
           timed);
   for (std::size_t i = 0; i < ways.size(); ++i) report_planes(ways[i].name, found[i], cloud.points.size());
 }
