@@ -10,7 +10,7 @@ namespace ilot {
 namespace {
 
 std::string name_of(PointLabel label) {
-  return label == PointLabel::none ? "none" : point_label_names().at(static_cast<std::uint32_t>(label));
+  return class_name_of(label, {});
 }
 
 double percent(std::uint64_t part, std::uint64_t all) {

@@ -270,13 +270,12 @@ const std::vector<std::string>& object_classes() {
 }
 
 PointLabel label_of(const std::string& name) {
-  for (const auto& [value, label] : point_label_names())
-    if (label == name) return static_cast<PointLabel>(value);
+  if (const auto label = label_named(name)) return *label;
   throw std::runtime_error("no class " + name);
 }
 
 std::string name_of(PointLabel label) {
-  return label == PointLabel::none ? "none" : point_label_names().at(static_cast<std::uint32_t>(label));
+  return class_name_of(label, {});
 }
 
 Street study(const fs::path& cloud, const Leaving& leaving) {

@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ilot/cloud_info.h"
@@ -19,6 +21,13 @@ inline const std::map<std::uint32_t, std::string>& point_label_names() {
       {13, "other"}, {14, "van"},     {15, "two_wheeler"}, {16, "sign"},      {17, "bollard"},  {18, "bin"},
       {19, "bench"}, {20, "planter"}, {21, "fence"},       {22, "cabinet"}};
   return names;
+}
+
+// The label of a name above; nullopt for any other.
+inline std::optional<PointLabel> label_named(std::string_view name) {
+  for (const auto& [value, known] : point_label_names())
+    if (known == name) return static_cast<PointLabel>(value);
+  return std::nullopt;
 }
 
 // The labels from here on are classes of objects that a training brought along (--train), in the order of their names.

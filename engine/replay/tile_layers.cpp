@@ -6,12 +6,6 @@
 namespace ilot {
 namespace {
 
-std::string label_text(PointLabel label) {
-  const auto& names = point_label_names();
-  const auto found = names.find(static_cast<std::uint32_t>(label));
-  return found == names.end() ? "none" : found->second;
-}
-
 // The CRS coordinates of the tile's corners.
 struct TileBox {
   double x0, y0, x1, y1;
@@ -44,7 +38,7 @@ Layer thing_layer(const TileReplay& replay) {
     const CandidateClass& c = steps.classes[i];
     LayerFeature feature{{{base}},
                          {static_cast<std::int64_t>(i + 1), steps.taken[i] != 0, std::int64_t{t.parts[0]},
-                          std::int64_t{t.parts[1]}, std::int64_t{steps.object_of[i + 1]}, label_text(c.label),
+                          std::int64_t{t.parts[1]}, std::int64_t{steps.object_of[i + 1]}, class_name_of(c.label, {}),
                           c.probability, c.whole, c.part, c.merged, static_cast<std::int64_t>(t.points)}};
     for (const double value : t.features) feature.values.emplace_back(value);
     layer.features.push_back(std::move(feature));
@@ -62,7 +56,7 @@ Layer object_layer(const TileReplay& replay) {
   for (const StreetObject& o : replay.steps.objects)
     if (box.holds(o.base))
       layer.features.push_back({{{o.base}},
-                                {std::int64_t{o.id}, label_text(o.label), o.probability, o.height_m, o.length_m,
+                                {std::int64_t{o.id}, class_name_of(o.label, {}), o.probability, o.height_m, o.length_m,
                                  o.width_m, o.heading_deg, o.area_m2, static_cast<std::int64_t>(o.points)}});
   return layer;
 }

@@ -138,10 +138,7 @@ void TilePictures::add_objects() {
   if (pictures_.empty() || !pictures_.back().name.ends_with("candidates")) return;
   Picture& picture = pictures_.back();
   picture.name = picture.name.substr(0, 3) + "objects";
-  for (const PointLabel label : seen) {
-    const auto name = point_label_names().find(static_cast<std::uint32_t>(label));
-    picture.legend.push_back({colour_of_label(label), name == point_label_names().end() ? "none" : name->second});
-  }
+  for (const PointLabel label : seen) picture.legend.push_back({colour_of_label(label), class_name_of(label, {})});
 }
 
 }  // namespace

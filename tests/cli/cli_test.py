@@ -137,6 +137,12 @@ class Cli(CliCase):
         self.assertFalse(report["valid"])
         self.assertEqual([f["codes"] for f in report["files"]], [{}, {"302": 1}])
         self.assertEqual(report["files"][1]["findings"][0]["faults"][0]["code"], 302)
+        bent = self.folder / "bent.obj"  # one corner of the top 5 mm up: 1.25 mm from the least-squares plane
+        bent.write_text(corners.replace("v 1 1 1", "v 1 1 1.005") + walls + "f 4 1 5 8\n")
+        self.assertEqual(ilot("validate", bent).returncode, 0)
+        self.assertIn("203: 1", ilot("validate", "--planarity", "0.001", "--snap", "0.0001", bent).stdout)
+        self.assertIn("204: 1", ilot("validate", "--normals", "0.1", bent).stdout)
+        self.refuse(["validate", "--planarity", "-1", bent], "--planarity")
         noise = self.folder / "noise.obj"
         for content in (bytes((i * i * 37 + i) % 251 for i in range(5000)), b"some words\nand more\n"):
             noise.write_bytes(content)

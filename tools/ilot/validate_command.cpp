@@ -19,6 +19,7 @@ namespace {
 
 struct ValidateArguments {
   std::vector<std::string> inputs;
+  ValidityParams tolerances;
   bool quiet = false, json = false;
 };
 
@@ -56,9 +57,10 @@ std::string findings_json(const std::filesystem::path& file, const std::vector<F
 }
 
 // Prints the findings, or appends them to `json` if it is given.
-bool validate_file(const std::filesystem::path& file, bool quiet, std::string* json) {
-  if (is_solid_file(file)) return print_models_validity(file, json);
-  const std::vector<Finding> findings = is_dxf_file(file) ? validate_drawing_file(file) : findings_of(file, quiet);
+bool validate_file(const std::filesystem::path& file, const ValidateArguments& given, std::string* json) {
+  if (is_solid_file(file)) return print_models_validity(file, given.tolerances, json);
+  const std::vector<Finding> findings =
+      is_dxf_file(file) ? validate_drawing_file(file) : findings_of(file, given.quiet || given.json);
   if (json)
     *json += (json->empty() ? "" : ",\n") + findings_json(file, findings);
   else
@@ -73,7 +75,7 @@ int validate_command(const ValidateArguments& given) {
   std::string json;
   for (const auto& file : expand_inputs(given.inputs)) {
     try {
-      all_valid = validate_file(file, given.quiet || given.json, given.json ? &json : nullptr) && all_valid;
+      all_valid = validate_file(file, given, given.json ? &json : nullptr) && all_valid;
     } catch (const Error& fault) {
       if (fault.code() != ExitCode::usage) throw;
       say(one_line(std::string("ilot: ") + fault.what()));
@@ -94,10 +96,25 @@ void add_validate_command(CLI::App& app, Action& action) {
   auto given = std::make_shared<ValidateArguments>();
   command->add_option("FILE", given->inputs, "CityJSON, CityJSONSeq, OBJ, OFF, POLY, DXF, LAS and LAZ files, patterns")
       ->option_text("...");
+  ValidityParams& tolerances = given->tolerances;
+  command
+      ->add_option("--planarity", tolerances.plane_distance,
+                   "models: greatest distance of a corner from its face's plane, CRS units [0.01]")
+      ->option_text("D")
+      ->check(CLI::NonNegativeNumber);
+  command
+      ->add_option("--normals", tolerances.plane_normals_deg,
+                   "models: largest angle between the triangles of a face, degrees [20]")
+      ->option_text("DEG")
+      ->check(CLI::Range(0.0, 180.0));
+  command->add_option("--snap", tolerances.snap, "models: corners at most this far apart are one, CRS units [0.001]")
+      ->option_text("D")
+      ->check(CLI::NonNegativeNumber);
   command->add_flag("--json", given->json, "one JSON object on standard output [off]");
   command->add_flag("-q,--quiet", given->quiet, "no progress [off]");
   command->footer(
-      "Codes and tolerances are those of val3dity 2.6 (docs/validity.md).\n"
+      "Codes, and tolerances by default, are those of val3dity 2.6, whose options are called --planarity_d2p_tol, "
+      "--planarity_n_tol and --snap_tol (docs/validity.md).\n"
       "Exit codes: 0 all valid, 1 one is not, 2 usage.\nExample: ilot validate out/roofs/roofs.city.json");
   command->callback([given, &action] { action = [given] { return validate_command(*given); }; });
 }

@@ -57,17 +57,18 @@ std::string file_json(const std::filesystem::path& file, const ModelsValidity& s
 
 }  // namespace
 
-bool print_models_validity(const std::filesystem::path& file, std::string* json) {
+bool print_models_validity(const std::filesystem::path& file, const ValidityParams& params, std::string* json) {
   if (!json) {
-    const ModelsValidity sum = validate_models(file, [&](const ObjectValidity& found) {
+    const auto show = [&](const ObjectValidity& found) {
       print(one_line(fmt::format("{}: invalid: {}", file.string(), object_line(found))));
-    });
+    };
+    const ModelsValidity sum = validate_models(file, show, params);
     print(one_line(fmt::format("{}: {}", file.string(), summary_line(sum))));
     return sum.valid();
   }
   nlohmann::json objects = nlohmann::json::array();
-  const ModelsValidity sum =
-      validate_models(file, [&](const ObjectValidity& found) { objects.push_back(object_json(found)); });
+  const ModelsValidity sum = validate_models(
+      file, [&](const ObjectValidity& found) { objects.push_back(object_json(found)); }, params);
   *json += (json->empty() ? "" : ",\n") + file_json(file, sum, std::move(objects));
   return sum.valid();
 }

@@ -67,9 +67,8 @@ void count(CountsByName& counts, const std::string& name, bool detected, bool ri
 
 // The group of a class, by name. Classes that no product knows are `other`.
 std::string group_name(const std::string& name) {
-  for (const auto& [value, known] : point_label_names())
-    if (known == name) return label_name(group_of(static_cast<PointLabel>(value)));
-  return "other";
+  const auto label = label_named(name);
+  return label ? label_name(group_of(*label)) : "other";
 }
 
 // Whether a truth has the four groups as its classes, as those of earlier versions. Classes that no product knows say

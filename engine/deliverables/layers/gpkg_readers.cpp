@@ -80,8 +80,7 @@ std::vector<Outline::Part> parts_of(const LayerFile& file, const OGRGeometry& ge
 
 // The label of an object's class. A class of one's own has it in a column; runs of earlier versions have neither.
 PointLabel label_of(const LayerFile& file, const OGRFeature& feature, const std::string& name) {
-  for (const auto& [value, known] : point_label_names())
-    if (known == name) return static_cast<PointLabel>(value);
+  if (const auto known = label_named(name)) return *known;
   const std::uint64_t label = feature.GetFieldIndex("label") < 0 ? 0 : file.whole(feature, "label");
   if (label < kFirstOwnLabel || label >= kFirstOwnLabel + kMostOwnClasses)
     file.fail("there is no class '" + name + "'");

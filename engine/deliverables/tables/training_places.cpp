@@ -32,11 +32,9 @@ bool is_letter(unsigned char c) {
 
 // The name of a class, as a file has it.
 std::string checked(const fs::path& path, const std::string& name) {
-  for (const auto& [value, known] : point_label_names()) {
-    const auto label = static_cast<PointLabel>(value);
-    if (known == name && label != PointLabel::vegetation && !is_street_object(label))
-      throw usage(path, "'" + name + "' is no class of objects on a street");
-  }
+  const auto label = label_named(name);
+  if (label && *label != PointLabel::vegetation && !is_street_object(*label))
+    throw usage(path, "'" + name + "' is no class of objects on a street");
   const bool good =
       CPLIsUTF8(name.c_str(), -1) && !name.empty() && name.size() <= kLongestName && name.front() != ' ' &&
       name.back() != ' ' &&

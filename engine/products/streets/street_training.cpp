@@ -58,8 +58,7 @@ struct Learnt {
 
 PointLabel label_of(const std::string& name, const OwnClasses& own) {
   if (name == "none") return PointLabel::none;
-  for (const auto& [value, known] : point_label_names())
-    if (known == name) return static_cast<PointLabel>(value);
+  if (const auto known = label_named(name)) return *known;
   return own_class(static_cast<std::size_t>(std::lower_bound(own.begin(), own.end(), name) - own.begin()));
 }
 

@@ -4,34 +4,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/products/facades/walls/box_grid.h"
+#include "engine/products/facades/walls/wall_neighbours.h"
 #include "kernels/core/portable_math.h"
 
 namespace ilot {
 namespace {
 
-// Choice: a row may bend; walls that turn by more meet in a corner.
-constexpr double kInRowDeg = 10;
-// Choice: the place of a step is known better; parts that overlap by more lie one before the other.
-constexpr double kMostCommon = 0.5;  // metres along the street
-
-FlatBox plan_of(const WallGroup& wall, double metres) {
-  FlatBox box = FlatBox::none();
-  const Vec3 end = wall.axes.origin + (wall.width / metres) * wall.axes.right;
-  box.add({wall.axes.origin.x, wall.axes.origin.y}), box.add({end.x, end.y});
-  return box;
-}
-
 // Moves the ends of two walls, the second one on the right of the first one.
 void part(WallGroup& a, WallGroup& b, const WallParams& params) {
   const double metres = params.metres_per_unit;
-  if (dot(a.axes.out, b.axes.out) < cos_degrees(kInRowDeg)) return;
+  if (dot(a.axes.out, b.axes.out) < cos_degrees(kTurnInRowDeg)) return;
   const Vec3 d = metres * (b.axes.origin - a.axes.origin);
   const double shift = dot(d, a.axes.right), off = dot(d, a.axes.out), low = dot(d, a.axes.up);
   const double common_height = std::min(a.height, low + b.height) - std::max(0.0, low);
   if (std::abs(off) > params.relief_front || common_height < params.least_height) return;
   const double core_a = a.core1, core_b = shift + b.core0;
-  if (a.core0 >= core_b || core_a >= shift + b.core1 || core_a - core_b > kMostCommon) return;
+  if (a.core0 >= core_b || core_a >= shift + b.core1 || core_a - core_b > kCommonByChance) return;
   double end_a = a.width, begin_b = shift;
   if (core_a > core_b) {
     const double middle = (core_a + core_b) / 2;
@@ -49,17 +37,7 @@ void part(WallGroup& a, WallGroup& b, const WallParams& params) {
 }  // namespace
 
 void end_at_neighbours(std::vector<WallGroup>& walls, const WallParams& params) {
-  // Choice: a cell has a few walls; time alone depends on it.
-  constexpr double kCell = 16;  // metres
-  BoxGrid grid(kCell / params.metres_per_unit);
-  std::vector<FlatBox> plans;
-  for (std::size_t i = 0; i < walls.size(); ++i) {
-    plans.push_back(plan_of(walls[i], params.metres_per_unit).grown(params.relief_front / params.metres_per_unit));
-    grid.add(static_cast<std::uint32_t>(i), plans[i]);
-  }
-  for (std::size_t i = 0; i < walls.size(); ++i)
-    for (const std::uint32_t k : grid.near(plans[i]))
-      if (k != i) part(walls[i], walls[k], params);
+  for_each_near_wall(walls, 0, params, [&](std::size_t i, std::size_t k) { part(walls[i], walls[k], params); });
 }
 
 }  // namespace ilot

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/products/facades/walls/box_grid.h"
+#include "engine/products/facades/walls/wall_neighbours.h"
 #include "kernels/core/portable_math.h"
 
 namespace ilot {
@@ -32,25 +32,16 @@ constexpr double kLeastGrowth = 0.5;       // Choice: a window and its pier are 
 constexpr double kLongestPart = 4;         // Choice: about two bays; metres over which the density is taken as even
 // Choice: eaves and corners are searched to so much beside the ends; gables end farther in.
 constexpr double kNearEnd = 1.5;  // metres
-constexpr double kTurned = 10;    // Choice: as kInRowDeg in wall_ends.cpp; degrees between walls of one row
-constexpr double kOverlap = 0.5;  // Choice: as kMostCommon in wall_ends.cpp; metres that two walls overlap by chance
 
 std::int64_t cells_in(double metres) {
   return static_cast<std::int64_t>(std::ceil(std::max(metres, 0.0) / kGrowthCell)) + 1;
-}
-
-FlatBox plan_box(const WallGroup& wall, double metres) {
-  FlatBox box = FlatBox::none();
-  const Vec3 end = wall.axes.origin + (wall.width / metres) * wall.axes.right;
-  box.add({wall.axes.origin.x, wall.axes.origin.y}), box.add({end.x, end.y});
-  return box;
 }
 
 // The box of another wall in the axes of a wall, if it is along it: of its planes, or with its sparse parts.
 std::optional<Box2> box_along(const WallGroup& wall, const WallGroup& other, const Box2& box,
                               const WallParams& params) {
   const double metres = params.metres_per_unit, turn = dot(wall.axes.out, other.axes.out);
-  if (std::abs(turn) < cos_degrees(kTurned)) return std::nullopt;
+  if (std::abs(turn) < cos_degrees(kTurnInRowDeg)) return std::nullopt;
   const Vec3 d = metres * (other.axes.origin - wall.axes.origin);
   if (std::abs(dot(d, wall.axes.out)) > params.relief_front) return std::nullopt;
   const double u = dot(d, wall.axes.right), v = dot(d, wall.axes.up);
@@ -59,27 +50,11 @@ std::optional<Box2> box_along(const WallGroup& wall, const WallGroup& other, con
 
 // Ends the room of a wall where another one along it begins.
 void limit(const WallGroup& wall, const Box2& other, GrowthRoom& room) {
-  if (std::min(other.u1, wall.width) - std::max(other.u0, 0.0) > kOverlap && other.v1 > wall.height)
+  if (std::min(other.u1, wall.width) - std::max(other.u0, 0.0) > kCommonByChance && other.v1 > wall.height)
     room.top = std::min(room.top, std::max(0.0, other.v0 - wall.height));
-  if (std::min(other.v1, wall.height) - std::max(other.v0, 0.0) <= kOverlap) return;
+  if (std::min(other.v1, wall.height) - std::max(other.v0, 0.0) <= kCommonByChance) return;
   if (other.u1 > wall.width) room.right = std::min(room.right, std::max(0.0, other.u0 - wall.width));
   if (other.u0 < 0) room.left = std::min(room.left, std::max(0.0, -other.u1));
-}
-
-// For each wall those that may reach it when both grow.
-template <class Visit>
-void for_each_neighbour(std::span<const WallGroup> walls, double reach, const WallParams& params, const Visit& visit) {
-  // Choice: a cell has a few walls; time alone depends on it.
-  constexpr double kNeighbours = 16;  // metres
-  BoxGrid grid(kNeighbours / params.metres_per_unit);
-  std::vector<FlatBox> plans;
-  for (std::size_t i = 0; i < walls.size(); ++i) {
-    plans.push_back(plan_box(walls[i], params.metres_per_unit).grown(params.relief_front / params.metres_per_unit));
-    grid.add(static_cast<std::uint32_t>(i), plans[i]);
-  }
-  for (std::size_t i = 0; i < walls.size(); ++i)
-    for (const std::uint32_t k : grid.near(plans[i].grown(reach / params.metres_per_unit)))
-      if (k != i) visit(i, k);
 }
 
 // Cuts the sparse parts of a wall where they lie on a box.
@@ -91,8 +66,9 @@ void give_way(const Box2& other, WallGroup& wall) {
     if (!p.upright) {  // those above come last
       p.u0 = std::max(p.u0, whole.u0), p.u1 = std::min(p.u1, whole.u1);
       // A wall beside this one that is higher ends its upper part too.
-      if (other.v0 < p.v1 && other.v1 > p.v0 && other.u0 >= wall.width - kOverlap) p.u1 = std::min(p.u1, wall.width);
-      if (other.v0 < p.v1 && other.v1 > p.v0 && other.u1 <= kOverlap) p.u0 = std::max(p.u0, 0.0);
+      if (other.v0 < p.v1 && other.v1 > p.v0 && other.u0 >= wall.width - kCommonByChance)
+        p.u1 = std::min(p.u1, wall.width);
+      if (other.v0 < p.v1 && other.v1 > p.v0 && other.u1 <= kCommonByChance) p.u0 = std::max(p.u0, 0.0);
       p.v1 = std::min(p.v1, wall.height + room.top);
       continue;
     }
@@ -107,7 +83,7 @@ void give_way(const Box2& other, WallGroup& wall) {
 
 std::vector<GrowthRoom> growth_rooms(std::span<const WallGroup> walls, double reach, const WallParams& params) {
   std::vector<GrowthRoom> rooms(walls.size(), {reach, reach, reach});
-  for_each_neighbour(walls, reach, params, [&](std::size_t i, std::size_t k) {
+  for_each_near_wall(walls, reach, params, [&](std::size_t i, std::size_t k) {
     const WallGroup& other = walls[k];
     if (const auto box = box_along(walls[i], other, {0, other.width, 0, other.height}, params))
       limit(walls[i], *box, rooms[i]);
@@ -123,7 +99,7 @@ Box2 grown_box(const WallGroup& wall) {
 }
 
 void share_growth(std::span<WallGroup> walls, double reach, const WallParams& params) {
-  for_each_neighbour(walls, 2 * reach, params, [&](std::size_t i, std::size_t k) {
+  for_each_near_wall(walls, 2 * reach, params, [&](std::size_t i, std::size_t k) {
     if (walls[i].sparse.empty()) return;
     const Box2 own{0, walls[k].width, 0, walls[k].height};
     if (const auto box = box_along(walls[i], walls[k], k < i ? grown_box(walls[k]) : own, params))

@@ -107,7 +107,7 @@ class ModelReader {
     if (!(v[0] > 0)) fail("a class is never there");
     std::string name;
     std::getline(words >> std::ws, name);
-    const PointLabel label = label_named(name);
+    const PointLabel label = label_of(name);
     if (!model_.classes.empty() && model_.classes.back() >= label) fail("the classes are not in their order");
     model_.classes.push_back(label);
     model_.prior.push_back(v[0]);
@@ -115,10 +115,9 @@ class ModelReader {
   }
 
   // A name that is none of ours is a class of one's own; their labels are numbered in the order of their names.
-  PointLabel label_named(const std::string& name) {
+  PointLabel label_of(const std::string& name) {
     if (name == "none") return PointLabel::none;
-    for (const auto& [value, known] : point_label_names())
-      if (known == name) return static_cast<PointLabel>(value);
+    if (const auto known = label_named(name)) return *known;
     if (name.empty()) fail("a class has no name");
     if (!model_.own.empty() && model_.own.back() >= name)
       fail("the classes of one's own are not in the order of their names");
