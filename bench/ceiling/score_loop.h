@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ceiling of arithmetic: multiplications, additions, comparisons and counts in the same proportion as in plane
-// scoring. It works on registers alone, with the lanes of the instruction set that the kernels use. There are no fused
-// operations: the kernels may not use them either, because their bits would differ between machines.
+// The ceiling of arithmetic: fused multiplications and additions, tests and counts in the same proportion as in plane
+// scoring. It works on registers alone, with the lanes of the instruction set that the kernels use.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,7 @@
 inline std::uint32_t loop(std::uint32_t rounds) {
   constexpr int kPlanes = 4;
   Wide x = splat_wide(1.0f), y = splat_wide(2.0f), z = splat_wide(3.0f);
-  const Wide a = splat_wide(0.5f), b = splat_wide(0.25f), c = splat_wide(0.75f), epsilon = splat_wide(4.0f);
+  const Wide a = splat_wide(0.5f), b = splat_wide(0.25f), c = splat_wide(0.75f);
   Wide d[kPlanes];
   WideCount counts[kPlanes];
   for (int i = 0; i < kPlanes; ++i) {
@@ -13,7 +13,7 @@ inline std::uint32_t loop(std::uint32_t rounds) {
   for (std::uint32_t r = 0; r < rounds; ++r) {
     for (int i = 0; i < kPlanes; ++i) {
       opaque(x);
-      count_le(counts[i], magnitude(a * x + b * y + c * z + d[i]), epsilon);
+      count_below_two(counts[i], fused(a, x, fused(b, y, fused(c, z, d[i]))));
       opaque(y);
       opaque(z);
     }

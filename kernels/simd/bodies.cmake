@@ -9,7 +9,7 @@ function(ilot_simd_body target body name)
     list(APPEND isas avx2 avx512)
   endif()
   # GCC 12's own AVX-512 header sets off the uninitialized warnings, its bug 105593.
-  set(flags_avx2 -mavx2)
+  set(flags_avx2 -mavx2 -mfma)
   set(flags_avx512 -mavx512f -mavx512vl -mavx512dq -mavx512bw
     $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized> $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   foreach(ISA IN LISTS isas)

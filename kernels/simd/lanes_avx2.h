@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight float lanes in one AVX register. Only the bodies of body.cpp.in, compiled with -mavx2, include this.
+// Eight float lanes in one AVX register. Only the bodies of body.cpp.in, compiled with -mavx2 -mfma, include this.
 #pragma once
 #include <immintrin.h>
 
@@ -39,6 +39,10 @@ inline F8 root(F8 a) {
 }
 inline F8 magnitude(F8 a) {
   return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)};
+}
+// a b + c, rounded once.
+inline F8 fused(F8 a, F8 b, F8 c) {
+  return {_mm256_fmadd_ps(a.v, b.v, c.v)};
 }
 inline std::uint32_t mask_le(F8 a, F8 b) {
   return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
@@ -110,6 +114,19 @@ inline void count_le(Count8& c, F8 a, F8 b) {
 inline void count_both_le(Count8& c, F8 a, F8 b, F8 e, F8 f) {
   const __m256 both = _mm256_and_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ), _mm256_cmp_ps(e.v, f.v, _CMP_LE_OQ));
   c.v = _mm256_sub_epi32(c.v, _mm256_castps_si256(both));
+}
+// All bits of the lanes between -2 and 2: the upper bit of their exponent is 0.
+inline __m256i below_two(F8 a) {
+  const __m256i upper = _mm256_and_si256(_mm256_castps_si256(a.v), _mm256_set1_epi32(0x40000000));
+  return _mm256_cmpeq_epi32(upper, _mm256_setzero_si256());
+}
+inline void count_below_two(Count8& c, F8 a) {
+  c.v = _mm256_sub_epi32(c.v, below_two(a));
+}
+// Counts the lanes where a is between -2 and 2, and e at most f.
+inline void count_below_two_and_le(Count8& c, F8 a, F8 e, F8 f) {
+  const __m256i le = _mm256_castps_si256(_mm256_cmp_ps(e.v, f.v, _CMP_LE_OQ));
+  c.v = _mm256_sub_epi32(c.v, _mm256_and_si256(below_two(a), le));
 }
 inline std::uint32_t total(Count8 c) {
   alignas(32) std::uint32_t v[8];

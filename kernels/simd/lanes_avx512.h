@@ -118,6 +118,10 @@ inline void store_truncated(std::int32_t* to, Wide a) {
 inline Wide magnitude(Wide a) {
   return {_mm512_abs_ps(a.v)};
 }
+// a b + c, rounded once.
+inline Wide fused(Wide a, Wide b, Wide c) {
+  return {_mm512_fmadd_ps(a.v, b.v, c.v)};
+}
 // Returns v where it is at most the limit, otherwise 0.
 inline Wide where_le(Wide v, Wide limit) {
   return {_mm512_maskz_mov_ps(_mm512_cmp_ps_mask(v.v, limit.v, _CMP_LE_OQ), v.v)};
@@ -145,6 +149,18 @@ inline void count_le(WideCount& c, Wide a, Wide b) {
 inline void count_both_le(WideCount& c, Wide a, Wide b, Wide e, Wide f) {
   const __mmask16 first = _mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ);
   c.v = _mm512_mask_sub_epi32(c.v, _mm512_mask_cmp_ps_mask(first, e.v, f.v, _CMP_LE_OQ), c.v, _mm512_set1_epi32(-1));
+}
+// The lanes between -2 and 2: the upper bit of their exponent is 0.
+inline __mmask16 below_two(Wide a) {
+  return _mm512_testn_epi32_mask(_mm512_castps_si512(a.v), _mm512_set1_epi32(0x40000000));
+}
+inline void count_below_two(WideCount& c, Wide a) {
+  c.v = _mm512_mask_sub_epi32(c.v, below_two(a), c.v, _mm512_set1_epi32(-1));
+}
+// Counts the lanes where a is between -2 and 2, and e at most f.
+inline void count_below_two_and_le(WideCount& c, Wide a, Wide e, Wide f) {
+  const __mmask16 both = _mm512_mask_cmp_ps_mask(below_two(a), e.v, f.v, _CMP_LE_OQ);
+  c.v = _mm512_mask_sub_epi32(c.v, both, c.v, _mm512_set1_epi32(-1));
 }
 inline std::uint32_t total(WideCount c) {
   return static_cast<std::uint32_t>(_mm512_reduce_add_epi32(c.v));

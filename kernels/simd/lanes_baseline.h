@@ -43,6 +43,29 @@ inline F8 magnitude(F8 a) {
   const __m128 sign = _mm_set1_ps(-0.0f);
   return {_mm_andnot_ps(sign, a.lo), _mm_andnot_ps(sign, a.hi)};
 }
+// a b + c of the two lower lanes, rounded once, without the instruction for it. The product is exact in double. The sum
+// is rounded to odd: where it is not exact, its last bit is set. Rounding that to float is rounding the exact sum
+// [Boldo and Melquiond 2008].
+inline __m128 fused_low(__m128 a, __m128 b, __m128 c) {
+  const __m128d product = _mm_mul_pd(_mm_cvtps_pd(a), _mm_cvtps_pd(b)), added = _mm_cvtps_pd(c);
+  const __m128d sum = _mm_add_pd(product, added), part = _mm_sub_pd(sum, product);
+  const __m128d error = _mm_add_pd(_mm_sub_pd(product, _mm_sub_pd(sum, part)), _mm_sub_pd(added, part));
+  const __m128i one = _mm_set_epi32(0, 1, 0, 1), bits = _mm_castpd_si128(sum);
+  const __m128i even = _mm_sub_epi64(_mm_and_si128(bits, one), one);  // all bits where the last one is 0
+  const __m128i inexact = _mm_and_si128(even, _mm_castpd_si128(_mm_cmpneq_pd(error, _mm_setzero_pd())));
+  const __m128i towards_zero = _mm_srli_epi64(_mm_xor_si128(bits, _mm_castpd_si128(error)), 63);
+  const __m128i odd =
+      _mm_add_epi64(bits, _mm_and_si128(inexact, _mm_sub_epi64(one, _mm_add_epi64(towards_zero, towards_zero))));
+  return _mm_cvtpd_ps(_mm_castsi128_pd(odd));
+}
+inline __m128 fused_4(__m128 a, __m128 b, __m128 c) {
+  const __m128 high = fused_low(_mm_movehl_ps(a, a), _mm_movehl_ps(b, b), _mm_movehl_ps(c, c));
+  return _mm_movelh_ps(fused_low(a, b, c), high);
+}
+// a b + c, rounded once.
+inline F8 fused(F8 a, F8 b, F8 c) {
+  return {fused_4(a.lo, b.lo, c.lo), fused_4(a.hi, b.hi, c.hi)};
+}
 // Bit i is set where a[i] <= b[i].
 inline std::uint32_t mask_le(F8 a, F8 b) {
   return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a.lo, b.lo))) |
@@ -68,6 +91,19 @@ inline void count_le(Count8& c, F8 a, F8 b) {
 inline void count_both_le(Count8& c, F8 a, F8 b, F8 e, F8 f) {
   c.lo = _mm_sub_epi32(c.lo, _mm_castps_si128(_mm_and_ps(_mm_cmple_ps(a.lo, b.lo), _mm_cmple_ps(e.lo, f.lo))));
   c.hi = _mm_sub_epi32(c.hi, _mm_castps_si128(_mm_and_ps(_mm_cmple_ps(a.hi, b.hi), _mm_cmple_ps(e.hi, f.hi))));
+}
+// All bits of the lanes between -2 and 2: the upper bit of their exponent is 0.
+inline __m128i below_two(__m128 a) {
+  return _mm_cmpeq_epi32(_mm_and_si128(_mm_castps_si128(a), _mm_set1_epi32(0x40000000)), _mm_setzero_si128());
+}
+inline void count_below_two(Count8& c, F8 a) {
+  c.lo = _mm_sub_epi32(c.lo, below_two(a.lo));
+  c.hi = _mm_sub_epi32(c.hi, below_two(a.hi));
+}
+// Counts the lanes where a is between -2 and 2, and e at most f.
+inline void count_below_two_and_le(Count8& c, F8 a, F8 e, F8 f) {
+  c.lo = _mm_sub_epi32(c.lo, _mm_and_si128(below_two(a.lo), _mm_castps_si128(_mm_cmple_ps(e.lo, f.lo))));
+  c.hi = _mm_sub_epi32(c.hi, _mm_and_si128(below_two(a.hi), _mm_castps_si128(_mm_cmple_ps(e.hi, f.hi))));
 }
 inline std::uint32_t total(Count8 c) {
   alignas(16) std::uint32_t v[4];
@@ -125,6 +161,11 @@ inline F8 magnitude(F8 a) {
   for (float& v : a.v) v = v < 0 ? -v : v;
   return a;
 }
+// a b + c, rounded once.
+inline F8 fused(F8 a, F8 b, F8 c) {
+  for (int i = 0; i < 8; ++i) a.v[i] = __builtin_fmaf(a.v[i], b.v[i], c.v[i]);
+  return a;
+}
 inline std::uint32_t mask_le(F8 a, F8 b) {
   std::uint32_t m = 0;
   for (int i = 0; i < 8; ++i) m |= static_cast<std::uint32_t>(a.v[i] <= b.v[i]) << i;
@@ -145,6 +186,16 @@ inline void count_le(Count8& c, F8 a, F8 b) {
 }
 inline void count_both_le(Count8& c, F8 a, F8 b, F8 e, F8 f) {
   for (int i = 0; i < 8; ++i) c.n += (a.v[i] <= b.v[i]) & (e.v[i] <= f.v[i]);
+}
+inline bool below_two(float v) {
+  return v > -2 && v < 2;
+}
+inline void count_below_two(Count8& c, F8 a) {
+  for (int i = 0; i < 8; ++i) c.n += below_two(a.v[i]);
+}
+// Counts the lanes where a is between -2 and 2, and e at most f.
+inline void count_below_two_and_le(Count8& c, F8 a, F8 e, F8 f) {
+  for (int i = 0; i < 8; ++i) c.n += below_two(a.v[i]) & (e.v[i] <= f.v[i]);
 }
 inline std::uint32_t total(Count8 c) {
   return c.n;

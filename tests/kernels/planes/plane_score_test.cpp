@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "tests/support/instruction_sets.h"
@@ -43,12 +45,28 @@ Case make_case(std::uint32_t n, std::size_t planes) {
   return c;
 }
 
+// As the kernel computes it: with the plane scaled so that the greatest distance is just below 2, and fused operations.
 std::uint32_t naive(const Case& c, const PlaneHypothesis& h, const PlaneScoreParams& params, bool normals) {
+  const float below = 1 - 0x1p-22f, k = 2 * below / params.max_distance;
   std::uint32_t count = 0;
   for (std::size_t i = 0; i < c.set.size; ++i) {
-    const float d = h[0] * c.set.x[i] + h[1] * c.set.y[i] + h[2] * c.set.z[i] + h[3];
-    const float agreement = h[0] * c.nx[i] + h[1] * c.ny[i] + h[2] * c.nz[i];
-    count += std::abs(d) <= params.max_distance && (!normals || std::abs(agreement) >= params.min_cos);
+    const float d =
+        std::fma(k * h[0], c.set.x[i], std::fma(k * h[1], c.set.y[i], std::fma(k * h[2], c.set.z[i], k * h[3])));
+    const float agreement = std::fma(k * h[0], c.nx[i], std::fma(k * h[1], c.ny[i], k * h[2] * c.nz[i]));
+    count += std::abs(d) < 2 && (!normals || std::abs(agreement) >= k * params.min_cos * below);
+  }
+  return count;
+}
+
+// The points whose distance in double is not within rounding of the limit decide alike.
+std::pair<std::uint32_t, std::uint32_t> bounds(const Case& c, const PlaneHypothesis& h, double limit) {
+  std::pair<std::uint32_t, std::uint32_t> count;
+  for (std::size_t i = 0; i < c.set.size; ++i) {
+    const double terms[4] = {double(h[0]) * c.set.x[i], double(h[1]) * c.set.y[i], double(h[2]) * c.set.z[i], h[3]};
+    double sum = 0, largest = 0;
+    for (const double t : terms) sum += t, largest = std::max(largest, std::abs(t));
+    count.first += std::abs(sum) < limit - 1e-6 * largest;
+    count.second += std::abs(sum) < limit + 1e-6 * largest;
   }
   return count;
 }
@@ -67,6 +85,26 @@ TEST(CountInliers, EqualsTheNaiveLoopForEverySizeAndPlaneCount) {
       }
     }
   }
+}
+
+TEST(CountInliers, CountsAreThoseOfExactDistancesButForRounding) {
+  const Case c = make_case(20000, 40);
+  std::vector<std::uint32_t> counts(c.planes.size());
+  for (const float limit : {0.0f, 0.3f, 50.0f, 500.0f, 1e6f}) {
+    count_inliers({c.set.view()}, c.planes, {limit, 0}, counts);
+    for (std::size_t i = 0; i < c.planes.size(); ++i) {
+      const auto [least, most] = bounds(c, c.planes[i], limit);
+      EXPECT_GE(counts[i], least) << limit;
+      EXPECT_LE(counts[i], most) << limit;
+    }
+  }
+}
+
+TEST(CountInliers, NothingIsWithinANegativeDistance) {
+  const Case c = make_case(100, 4);
+  std::vector<std::uint32_t> counts(4, 9);
+  count_inliers(c.oriented(), c.planes, {-1, 0}, counts);
+  EXPECT_EQ(counts, std::vector<std::uint32_t>(4, 0));
 }
 
 TEST(CountInliers, DistanceIsClosedAndNoPlanesIsFine) {
