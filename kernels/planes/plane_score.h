@@ -17,9 +17,9 @@ struct PlaneScoreParams {
 };
 
 // Sets counts[i] to the number of points within max_distance of hypotheses[i] whose normal agrees, judged in float32
-// with fused operations, each rounded once (good to two units in the last place of the largest term). counts has the size of hypotheses. Many hypotheses in one call are several times faster per plane than one, because
-// the points are read once per block. O(points x planes), no allocation. The counts are the same for every instruction
-// set.
+// with fused operations, each rounded once (good to two units in the last place of the largest term). counts has the
+// size of hypotheses. Many hypotheses in one call are several times faster per plane than one, because the points are
+// read once per block. O(points x planes), no allocation. The counts are the same for every instruction set.
 void count_inliers(const OrientedPoints& points, std::span<const PlaneHypothesis> hypotheses,
                    const PlaneScoreParams& params, std::span<std::uint32_t> counts);
 

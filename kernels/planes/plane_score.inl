@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Body of count_inliers. It works on blocks of points that stay in the first cache level, with four planes per sweep,
-// so that each load of a point serves four planes. Planes are scaled so that the greatest distance is 2: whether a float
+// Body of count_inliers. It works on blocks of points that stay in the first cache level, with several planes per sweep,
+// so that each load of a point serves all of them: as many as the registers hold. Planes are scaled so that the greatest distance is 2: whether a float
 // is below 2 is one bit of it. A point and a plane take three fused operations, one test and one count. Counts are
 // integers, so neither blocks nor lane width can change the result, and fused operations are rounded once everywhere.
 
 namespace {
 
-constexpr std::size_t kBlock = 1024;  // 24 KiB with normals: half of a first-level cache
+constexpr int kSweep = kWide > 8 ? 4 : 2;  // planes; AVX-512 has 32 registers, the others 16
+// Points whose coordinates, and normals, fill 24 KiB: half to three quarters of a first-level cache.
+constexpr std::size_t kBlock = 2048, kBlockWithNormals = 1024;
 
 struct PlaneLanes {
   Wide a, b, c, d;
@@ -40,14 +42,14 @@ inline void count_sweep(const CountArgs& args, std::size_t begin, std::size_t en
   if (args.nx != nullptr) {
     const Wide least = splat_wide(scale * args.min_cos * kBelow);
     for (std::size_t j = begin; j < end; j += kWide) {
-      const Wide x = load_wide(args.x + j), y = load_wide(args.y + j), z = load_wide(args.z + j);
+      const Wide x = load_once(args.x + j), y = load_once(args.y + j), z = load_once(args.z + j);
       const Wide nx = load_wide(args.nx + j), ny = load_wide(args.ny + j), nz = load_wide(args.nz + j);
       for (int i = 0; i < kPlanes; ++i)
         count_below_two_and_le(counts[i], distance(planes[i], x, y, z), least, cosine(planes[i], nx, ny, nz));
     }
   } else {
     for (std::size_t j = begin; j < end; j += kWide) {
-      const Wide x = load_wide(args.x + j), y = load_wide(args.y + j), z = load_wide(args.z + j);
+      const Wide x = load_once(args.x + j), y = load_once(args.y + j), z = load_once(args.z + j);
       for (int i = 0; i < kPlanes; ++i) count_below_two(counts[i], distance(planes[i], x, y, z));
     }
   }
@@ -56,7 +58,7 @@ inline void count_sweep(const CountArgs& args, std::size_t begin, std::size_t en
 
 inline void count_block(const CountArgs& args, std::size_t begin, std::size_t end) {
   std::size_t plane = 0;
-  for (; plane + 4 <= args.plane_count; plane += 4) count_sweep<4>(args, begin, end, plane);
+  for (; plane + kSweep <= args.plane_count; plane += kSweep) count_sweep<kSweep>(args, begin, end, plane);
   for (; plane < args.plane_count; ++plane) count_sweep<1>(args, begin, end, plane);
 }
 
@@ -78,8 +80,9 @@ void count_inliers(const CountArgs& args) {
   for (std::size_t p = 0; p < args.plane_count; ++p) args.counts[p] = 0;
   if (!(args.max_distance >= 0)) return;
   const std::size_t whole = args.size & ~std::size_t{kWide - 1};
-  for (std::size_t begin = 0; begin < whole; begin += kBlock)
-    count_block(args, begin, begin + kBlock < whole ? begin + kBlock : whole);
+  const std::size_t block = args.nx != nullptr ? kBlockWithNormals : kBlock;
+  for (std::size_t begin = 0; begin < whole; begin += block)
+    count_block(args, begin, begin + block < whole ? begin + block : whole);
   if (whole < args.size) count_tail(args, whole);
 }
 

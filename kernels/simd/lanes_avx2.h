@@ -141,6 +141,12 @@ constexpr std::uint32_t kWide = 8;
 inline Wide load_wide(const float* p) {
   return load8(p);
 }
+// Loads into a register, which the compiler would do again for each use with a memory operand.
+inline Wide load_once(const float* p) {
+  Wide a = load_wide(p);
+  asm("" : "+x"(a.v));
+  return a;
+}
 inline void store_wide(float* p, Wide a) {
   store8(p, a);
 }

@@ -78,6 +78,12 @@ constexpr std::uint32_t kWide = 16;
 inline Wide load_wide(const float* p) {
   return {_mm512_loadu_ps(p)};
 }
+// Loads into a register, which the compiler would do again for each use with a memory operand.
+inline Wide load_once(const float* p) {
+  Wide a = load_wide(p);
+  asm("" : "+v"(a.v));
+  return a;
+}
 inline void store_wide(float* p, Wide a) {
   _mm512_storeu_ps(p, a.v);
 }

@@ -275,6 +275,9 @@ constexpr std::uint32_t kWide = 8;
 inline Wide load_wide(const float* p) {
   return load8(p);
 }
+inline Wide load_once(const float* p) {
+  return load_wide(p);
+}
 inline void store_wide(float* p, Wide a) {
   store8(p, a);
 }
