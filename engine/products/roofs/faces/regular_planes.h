@@ -15,6 +15,7 @@ namespace ilot {
 // and direction take one height. So the slopes of a gable are symmetric, its ridge and its eaves are level and parallel
 // to the walls. A position is allowed while it moves the plane at its points by at most half of their own distance from
 // it (root mean square), or by two standard errors of a plane through so few points; the nearest allowed one is taken.
+// The relations are those of [Verdie et al. 2015], the bounds come from the points in place of fixed angles.
 // `points` are those of the site, metres from its anchor. O(points + planes^2).
 void make_regular(const SitePolygon& outline, std::span<const Vec3> points, RoofPlanes& planes);
 
