@@ -17,7 +17,12 @@ namespace {
 
 class Group final : public TaskGroup {
  public:
-  void run(std::function<void()> work) override { group_.run(std::move(work)); }
+  // A task is enqueued, because a task that is spawned may wake no thread: a thread that went to sleep stayed asleep
+  // for the rest of a run. The only thread of an arena takes its tasks itself; enqueuing would start a second thread.
+  void run(std::function<void()> work) override {
+    if (tbb::this_task_arena::max_concurrency() == 1) return group_.run(std::move(work));
+    tbb::this_task_arena::enqueue(group_.defer(std::move(work)));
+  }
   void wait() { group_.wait(); }
 
  private:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "engine/error.h"
 #include "engine/pass/pass.h"
@@ -157,12 +158,13 @@ void model_sites(const SiteModeller& modeller, std::span<const std::size_t> site
   Batch before;
   while (before.end < sites.size()) {
     Batch batch = batch_from(before.end, sites.size(), budget.together);
-    parallel_for(2, [&](std::size_t turn) {
-      if (turn == 1) return deliver(before, take);
-      run_pass(costs.subspan(batch.first, batch.results.size()), budget.tasks, [&](std::size_t i) {
-        batch.results[i] = modeller.model(sites[batch.first + i]);
-        context.advance(costs[batch.first + i].points);
-      });
+    const auto costs_here = costs.subspan(batch.first, batch.results.size());
+    std::vector<PassTask> tasks(costs_here.begin(), costs_here.end());
+    tasks.push_back({0, std::numeric_limits<std::uint64_t>::max()});  // the delivery, which starts first
+    run_pass(tasks, budget.tasks, [&](std::size_t i) {
+      if (i == batch.results.size()) return deliver(before, take);
+      batch.results[i] = modeller.model(sites[batch.first + i]);
+      context.advance(costs_here[i].points);
     });
     before = std::move(batch);
   }
