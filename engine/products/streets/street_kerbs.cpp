@@ -64,9 +64,9 @@ class KerbFinder {
  private:
   // The mean ground points of the pixels of a tile and around it, row by row: most pixels have none.
   struct Window {
-    std::vector<std::size_t> first;     // of each row; then the number of all
-    std::vector<std::uint32_t> column;  // of each mean
-    std::vector<GroundPoint> mean;      // metres from the corner of the window
+    std::uint32_t side = 0;            // pixels
+    std::vector<std::uint32_t> first;  // by pixel: the number of means before it; then the number of all
+    std::vector<GroundPoint> mean;     // metres from the corner of the window
   };
 
   Window read(std::size_t tile) const {
@@ -92,22 +92,19 @@ class KerbFinder {
   }
 
   Window window_of(const std::vector<GroundPixel>& pixels, std::uint32_t side) const {
-    Window window{{0}, {}, {}};
+    Window window{side, {}, {}};
     const auto seen = static_cast<std::size_t>(
         std::count_if(pixels.begin(), pixels.end(), [](const GroundPixel& p) { return p.points != 0; }));
-    window.column.reserve(seen);
+    window.first.reserve(pixels.size() + 1);
     window.mean.reserve(seen);
-    for (std::uint32_t row = 0; row < side; ++row) {
-      for (std::uint32_t column = 0; column < side; ++column) {
-        const GroundPixel& p = pixels[std::size_t{row} * side + column];
-        if (p.points == 0) continue;
-        const double per = raster_.scale.unit / p.points;
-        window.column.push_back(column);
-        window.mean.push_back(
-            {static_cast<double>(p.x) * per, static_cast<double>(p.y) * per, static_cast<double>(p.z) * per});
-      }
-      window.first.push_back(window.mean.size());
+    for (const GroundPixel& p : pixels) {
+      window.first.push_back(static_cast<std::uint32_t>(window.mean.size()));
+      if (p.points == 0) continue;
+      const double per = raster_.scale.unit / p.points;
+      window.mean.push_back(
+          {static_cast<double>(p.x) * per, static_cast<double>(p.y) * per, static_cast<double>(p.z) * per});
     }
+    window.first.push_back(static_cast<std::uint32_t>(window.mean.size()));
     return window;
   }
 
@@ -117,14 +114,12 @@ class KerbFinder {
     out.clear();
     const double pixel = raster_.scale.pixel;
     const auto column = static_cast<std::int64_t>(x / pixel), row = static_cast<std::int64_t>(y / pixel);
-    const auto r = std::int64_t{reach_}, last = static_cast<std::int64_t>(window.first.size()) - 2;
-    const std::int64_t from = std::max<std::int64_t>(0, column - r), to = column + r;
+    const auto r = std::int64_t{reach_}, last = std::int64_t{window.side} - 1;
+    const std::int64_t from = std::max<std::int64_t>(0, column - r), to = std::min(last, column + r);
     for (std::int64_t v = std::max<std::int64_t>(0, row - r); v <= std::min(last, row + r); ++v) {
-      const auto begin = window.column.begin() + static_cast<std::ptrdiff_t>(window.first[static_cast<std::size_t>(v)]);
-      const auto end =
-          window.column.begin() + static_cast<std::ptrdiff_t>(window.first[static_cast<std::size_t>(v) + 1]);
-      for (auto c = std::lower_bound(begin, end, from); c != end && *c <= to; ++c) {
-        const GroundPoint& mean = window.mean[static_cast<std::size_t>(c - window.column.begin())];
+      const std::uint32_t* const of_row = window.first.data() + v * window.side;
+      for (std::uint32_t i = of_row[from]; i < of_row[to + 1]; ++i) {
+        const GroundPoint& mean = window.mean[i];
         const GroundPoint at{mean.x - x, mean.y - y, mean.z};
         if (at.x * at.x + at.y * at.y <= fit_.radius * fit_.radius) out.push_back(at);
       }

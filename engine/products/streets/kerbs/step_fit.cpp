@@ -11,8 +11,9 @@
 namespace ilot {
 namespace {
 
-constexpr int kDirections = 16;  // over half a turn
-constexpr int kBins = 32;        // across the window
+constexpr int kDirections = 16;                        // over half a turn
+constexpr std::array<double, 4> kTurns{-6, -3, 3, 6};  // degrees, from the best of them
+constexpr int kBins = 32;                              // across the window
 // Derived: points of the face of a kerb are this near to the edge (the width of two bins), where they would tilt
 // planes.
 constexpr double kFaceShare = 8;         // of the radius
@@ -79,6 +80,24 @@ struct Line {
   double gain = 0;
 };
 
+// The directions that are tried, each with those near it.
+struct Direction {
+  double ux = 1, uy = 0;
+};
+struct TriedDirections {
+  std::array<Direction, kDirections> all;
+  std::array<std::array<Direction, kTurns.size()>, kDirections> near;
+
+  TriedDirections() {
+    const auto towards = [](double degrees) { return Direction{cos_degrees(degrees), cos_degrees(degrees - 90)}; };
+    for (std::size_t k = 0; k < kDirections; ++k) {
+      const double degrees = 180.0 * static_cast<double>(k) / kDirections;
+      all[k] = towards(degrees);
+      for (std::size_t t = 0; t < kTurns.size(); ++t) near[k][t] = towards(degrees + kTurns[t]);
+    }
+  }
+};
+
 class StepFinder {
  public:
   StepFinder(std::span<const GroundPoint> points, const StepFitParams& params) : points_(points), params_(params) {}
@@ -99,26 +118,29 @@ class StepFinder {
     // Derived: points on both sides of a step of `lowest` have half of it as their least deviation from one plane, of
     // which a tilt takes away three quarters of the squares at most.
     if (squares < 0.0625 * params_.lowest * params_.lowest * static_cast<double>(points_.size())) return std::nullopt;
+    static const TriedDirections tried;
     Line best;
-    for (int k = 0; k < kDirections; ++k) try_direction(180.0 * k / kDirections, inverse, best);
-    const double near = best_degrees_;
-    for (const double turn : {-6.0, -3.0, 3.0, 6.0}) try_direction(near + turn, inverse, best);
+    std::size_t nearest = 0;
+    for (std::size_t k = 0; k < kDirections; ++k)
+      if (try_direction(tried.all[k], inverse, best)) nearest = k;
+    for (const Direction& d : tried.near[nearest]) try_direction(d, inverse, best);
     if (best.gain == 0) return std::nullopt;
     return of_line(best);
   }
 
  private:
-  void try_direction(double degrees, const Inverse& inverse, Line& best) {
-    const double ux = cos_degrees(degrees), uy = cos_degrees(degrees - 90);
+  // Returns whether a line across the direction is better than the best one.
+  bool try_direction(Direction d, const Inverse& inverse, Line& best) const {
     std::array<Side, kBins> bins{};
     const double per = kBins / (2 * params_.radius);
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const GroundPoint& p = points_[i];
-      const double t = p.x * ux + p.y * uy;
+      const double t = p.x * d.ux + p.y * d.uy;
       const int bin = std::clamp(static_cast<int>((t + params_.radius) * per), 0, kBins - 1);
       bins[static_cast<std::size_t>(bin)].add({1, p.x, p.y, residuals_[i]});
     }
     Side up;
+    bool better = false;
     const auto all = static_cast<double>(points_.size());
     for (int b = kBins - 1; b > 0; --b) {
       up.add(bins[static_cast<std::size_t>(b)]);
@@ -126,9 +148,10 @@ class StepFinder {
       const double g = gain(inverse, up);
       if (g <= best.gain * (1 + 1e-9)) continue;
       const double sign = up.residual > 0 ? 1 : -1, t = b / per - params_.radius;
-      best = {sign * ux, sign * uy, sign * t, g};
-      best_degrees_ = degrees;
+      best = {sign * d.ux, sign * d.uy, sign * t, g};
+      better = true;
     }
+    return better;
   }
 
   // The step along a line: the edge between the points of both sides, and a plane on each of them.
@@ -183,7 +206,6 @@ class StepFinder {
   std::span<const GroundPoint> points_;
   const StepFitParams& params_;
   std::vector<double> residuals_;
-  double best_degrees_ = 0;  // the direction of the best line that was tried
 };
 
 }  // namespace
