@@ -232,6 +232,19 @@ struct FacadeSearch {
   const FacadeObserver* observer;
 };
 
+// The memory that the rays of a facade get, which are read dozens of times: none where they need more than a quarter of
+// the budget.
+std::uint64_t bytes_of_rays(std::uint64_t points, std::uint64_t budget_bytes) {
+  const std::uint64_t bytes = points * RaySamples::kBytesInMemory;
+  return bytes <= budget_bytes / 4 ? bytes : 0;
+}
+
+RayRoom room_of_rays(const std::filesystem::path& folder, std::uint64_t points, std::uint64_t budget_bytes) {
+  RayRoom room{folder};
+  if (bytes_of_rays(points, budget_bytes) > 0) room.most_in_memory = std::max(room.most_in_memory, points + 1);
+  return room;
+}
+
 void find_each(const FacadeSearch& search, std::span<const std::vector<WallGroup>> dormers,
                std::span<const PassTask> tasks, FacadesOfRun& run) {
   const FacadeWork& work = run.work;
@@ -242,7 +255,8 @@ void find_each(const FacadeSearch& search, std::span<const std::vector<WallGroup
   run_pass(tasks, search.context.budget_bytes, [&](std::size_t i) {
     GatheredFacade gathered = gather_facade(work, run.walls[i]);
     if (inputs.crs.epsg > 0) gathered.site.crs = fmt::format("EPSG:{}", inputs.crs.epsg);
-    const RaySamples samples(gathered.site, gathered.points, work.store.folder(), gathered.far);
+    RayRoom room = room_of_rays(work.store.folder(), tasks[i].points, search.context.budget_bytes);
+    const RaySamples samples(gathered.site, gathered.points, std::move(room), gathered.far);
     const bool observed = search.observer != nullptr && search.observer->facade == i + 1;
     run.found[i] = find_facade(samples, params, observed ? &search.observer->steps : nullptr,
                                sparse_findings(work, run.walls[i], params.openings));
@@ -251,7 +265,7 @@ void find_each(const FacadeSearch& search, std::span<const std::vector<WallGroup
     for (const WallGroup& front : dormers[i]) {
       const GatheredFacade of_front = gather_facade(work, front);
       fronts.push_back(
-          find_dormer(RaySamples(of_front.site, of_front.points, work.store.folder(), of_front.far), of_dormers));
+          find_dormer(RaySamples(of_front.site, of_front.points, {work.store.folder()}, of_front.far), of_dormers));
     }
     run.found[i].occluded_edges += add_dormers(fronts, run.found[i].facade, of_dormers);
     add_registration(registration_error(samples), run.found[i].facade.elements);
@@ -295,7 +309,8 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   for (const WallGroup& wall : run->walls) {
     const std::uint64_t count = points_to_read(work, wall);
     const std::uint64_t bytes = facade_bytes(gather_facade(work, wall).site, count, concurrency);
-    tasks.push_back({bytes + bytes_of_sparse_parts(work, wall), count});
+    const std::uint64_t of_rays = bytes_of_rays(count, context.budget_bytes);
+    tasks.push_back({bytes + bytes_of_sparse_parts(work, wall) + of_rays, count});
     points += count;
   }
   progress.begin_stage("facades", points, {run->walls.size(), run->walls.size() == 1 ? "facade" : "facades"});

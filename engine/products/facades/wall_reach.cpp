@@ -153,7 +153,7 @@ SparseFindings sparse_findings(const FacadeWork& work, const WallGroup& wall, co
   all.box = grown_box(wall);
   for (const SparsePart& part : wall.sparse) {
     const GatheredFacade gathered = gather_facade(work, group_of_part(wall, part, work.metres_per_unit));
-    const RaySamples samples(gathered.site, gathered.points, work.store.folder(), gathered.far);
+    const RaySamples samples(gathered.site, gathered.points, {work.store.folder()}, gathered.far);
     std::vector<UnseenArea> unseen;
     const std::vector<FoundRectangle> found = find_openings(samples, params, nullptr, &unseen);
     const double units = work.metres_per_unit;

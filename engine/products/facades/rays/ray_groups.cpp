@@ -47,8 +47,7 @@ class GroupWriter {
 }  // namespace
 
 RayColumn grouped_rays(const RayColumn& rays, std::span<const std::uint64_t> counts,
-                       const std::function<std::size_t(const Ray&)>& group_of, const std::filesystem::path& folder) {
-  RayColumn grouped(folder);
+                       const std::function<std::size_t(const Ray&)>& group_of, RayColumn grouped) {
   std::uint64_t all = 0;
   for (const std::uint64_t count : counts) all += count;
   grouped.resize(all);

@@ -95,9 +95,8 @@ RaySamples::RaySamples(const FacadeSite& site) : site_(site) {
   make(points_of(site));
 }
 
-RaySamples::RaySamples(const FacadeSite& site, const FacadePointSource& source, const std::filesystem::path& folder,
-                       FarPointSource far)
-    : site_(site), folder_(folder), far_(std::move(far)), sorted_(folder), by_segment_(folder) {
+RaySamples::RaySamples(const FacadeSite& site, const FacadePointSource& source, RayRoom room, FarPointSource far)
+    : site_(site), room_(std::move(room)), far_(std::move(far)) {
   make(source);
 }
 
@@ -133,7 +132,7 @@ RayColumn RaySamples::taken(const FacadePointSource& source) {
   const bool one_of_many = site_.stations.size() >= 2;
   std::optional<SolidCells> solid;
   if (one_of_many) solid.emplace(site_);
-  RayColumn rays(folder_);
+  RayColumn rays = new_column();
   source([&](std::span<const FacadePoint> points, std::span<const SiteStation> from) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       Ray ray{points[i], 0, part_of(points[i])};
@@ -203,7 +202,7 @@ void RaySamples::sort_by_place(const RayColumn& rays) {
     bins_[b + 1].first += bins_[b].first;
   }
   sorted_ = grouped_rays(
-      rays, counts, [&](const Ray& ray) { return group[bin_of(crossing(ray, 0))]; }, folder_);
+      rays, counts, [&](const Ray& ray) { return group[bin_of(crossing(ray, 0))]; }, new_column());
   begins.push_back(bins_.size() - 1);
   std::vector<Ray> unsorted, sorted;
   std::vector<std::uint64_t> next;
@@ -229,7 +228,7 @@ void RaySamples::sort_by_segment(const RayColumn& rays) {
     if (const std::size_t s = number_of(ray); s != kNoGroup) ++counts[s];
   std::uint64_t first = 0;
   for (const std::uint64_t count : counts) segment_runs_.push_back({std::exchange(first, first + count), count});
-  by_segment_ = grouped_rays(rays, counts, number_of, folder_);
+  by_segment_ = grouped_rays(rays, counts, number_of, new_column());
 }
 
 RayRun RaySamples::run_of(std::uint32_t segment) const {

@@ -51,23 +51,31 @@ struct SpaceBox {
 // Gives the points in some boxes that are before the wall, each once, in an order of its own.
 using FarPointSource = std::function<void(std::span<const SpaceBox>, const TakeFacadePoints&)>;
 
+// Where rays are kept: in memory up to a number in each order, else in files of the folder. Without a folder all are in
+// memory.
+struct RayRoom {
+  std::filesystem::path folder;
+  std::uint64_t most_in_memory = std::uint64_t{1} << 13;
+};
+
 // The rays of the points of a facade, sorted by place. The ray of a point comes from its own station where the site
 // knows it, or from the only station. If there are several stations, it comes from the nearest one whose ray does not
 // go through a solid part of the wall. Without stations all rays are taken to be perpendicular to the wall; then an
-// opening is seen only where there are points behind it. The memory is 20 bytes per point for each of three orders: as
-// given (only at the start), by place, and by segment. The orders are in files of the folder, except for the smallest
-// facades or without a folder, where they are in memory. About 5 MB more are needed.
+// opening is seen only where there are points behind it. The room has 20 bytes per point for each of three orders: as
+// given (only at the start; 40 in memory), by place, and by segment. About 5 MB of memory more are needed.
 class RaySamples {
  public:
   // Uses the points of the site itself, in memory.
   explicit RaySamples(const FacadeSite& site);
   // Uses the points that the source gives; the site has no points of its own. Both must outlive the samples. `far`
   // gives points farther before the wall; without it nothing is known of them.
-  RaySamples(const FacadeSite& site, const FacadePointSource& source, const std::filesystem::path& folder,
-             FarPointSource far = {});
+  RaySamples(const FacadeSite& site, const FacadePointSource& source, RayRoom room, FarPointSource far = {});
+
+  // The bytes of memory for a point where all orders are in memory.
+  static constexpr std::uint64_t kBytesInMemory = 4 * sizeof(Ray);
 
   const FacadeSite& site() const { return site_; }
-  const std::filesystem::path& folder() const { return folder_; }
+  const std::filesystem::path& folder() const { return room_.folder; }
   bool oblique() const { return !site_.stations.empty(); }
   // Whether the station of some point was chosen among several.
   bool guessed() const { return guessed_; }
@@ -112,6 +120,7 @@ class RaySamples {
   };
 
   void make(const FacadePointSource& source);
+  RayColumn new_column() const { return RayColumn(room_.folder, room_.most_in_memory); }
   RayColumn taken(const FacadePointSource& source);
   void sort_by_place(const RayColumn& rays);
   void sort_by_segment(const RayColumn& rays);
@@ -119,7 +128,7 @@ class RaySamples {
   std::size_t bin_of(Place2 place) const;
 
   const FacadeSite& site_;
-  std::filesystem::path folder_;
+  RayRoom room_;
   FarPointSource far_;
   bool guessed_ = false;
   std::uint64_t points_on_wall_ = 0;

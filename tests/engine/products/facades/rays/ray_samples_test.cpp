@@ -157,7 +157,7 @@ TEST(RaySamples, FilesAndMemoryGiveTheSameOrder) {
     for (std::size_t first = 0; first < all.size(); first += 777)
       take(all.subspan(first, std::min<std::size_t>(777, all.size() - first)), {});
   };
-  const RaySamples memory(site), files(bare, source, folder.path());
+  const RaySamples memory(site), files(bare, source, {folder.path()});
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
   const auto same = [](Rays a, Rays b) {
     const std::vector<Ray> left(a.begin(), a.end()), right(b.begin(), b.end());
