@@ -26,7 +26,8 @@ struct Task {
 };
 
 // Returns rows that may be in the area, as whole stretches of the file; the others need not be read.
-std::vector<RowRange> rows_to_read(const PointReader& reader, const IndexParams& params) {
+std::vector<RowRange> rows_to_read(const PointReader& reader, std::uint32_t file, const IndexParams& params) {
+  if (!params.rows.empty()) return params.rows[file];
   if (!params.filter.keep || !reader.random_access()) return {{0, reader.info().points}};
   const auto at = [&](std::int64_t lattice) { return static_cast<double>(lattice) * params.unit; };
   const IndexBox box = params.filter.keep->grown(1);  // rounding may have moved a point into the box
@@ -70,7 +71,7 @@ Stretches stretches(const std::vector<std::unique_ptr<PointReader>>& inputs, con
     }
     result.skipped += points;
     const std::vector<std::uint64_t> cuts = inputs[f]->boundaries();
-    for (const RowRange& range : rows_to_read(*inputs[f], params)) {
+    for (const RowRange& range : rows_to_read(*inputs[f], f, params)) {
       cut_range(cuts, range, f, rows, result.tasks);
       result.skipped -= range.end - range.first;
     }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/formats/rows_in_box.h"
 #include "engine/pass/context.h"
 #include "engine/pass/input_lattice.h"
 #include "engine/store/partition.h"
@@ -20,6 +21,7 @@ struct IndexParams {
   std::uint64_t block_points = 1u << 20;
   std::uint64_t run_points = 1u << 20;  // greatest size of one sorted run
   ClassColumns classes = ClassColumns::none;
+  std::vector<std::vector<RowRange>> rows;  // of each input that may be kept, whole chunks; none: found in the files
   bool keep_strays = false;      // keeps points that are isolated and far from all others (engine/store/strays.h)
   std::optional<Strays> strays;  // known from all inputs of a plan; none: found among the points of these inputs
 };
@@ -32,9 +34,10 @@ struct IndexResult {
   Strays strays;         // what was left out as far from all other points
 };
 
-// Makes blocks from the inputs and reads each input once. With an area to keep, rows are not read when an octree in the
-// file says that they are outside it; they count as outside, whatever other faults they have. Results that an earlier
-// start finished are found in the folder and kept. Memory: about 64 bytes per point of a run or a block, per thread.
+// Makes blocks from the inputs and reads each input once. With an area to keep, rows are not read when `rows` or an
+// octree in the file says that they are outside it; they count as outside, whatever other faults they have. Results
+// that an earlier start finished are found in the folder and kept. Memory: about 64 bytes per point of a run or a
+// block, per thread.
 IndexResult build_index(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params,
                         const std::filesystem::path& folder, const PassContext& context);
 

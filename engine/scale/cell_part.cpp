@@ -33,7 +33,7 @@ std::uint64_t write_cells(const Store& store, const RunInputs& inputs, const Pla
   progress.end_stage();
   for (const Cell& cell : cells) {
     stop_if_asked();
-    part.add(record_of(read_cell(store, cell, area.inputs, coloured)));
+    part.add(record_of(read_cell(store, cell, coloured)));
   }
   return cells.size();
 }

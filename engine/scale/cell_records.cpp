@@ -46,7 +46,7 @@ std::vector<std::byte> content_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-CellRecord read_cell(const Store& store, const Cell& cell, std::span<const std::uint32_t> inputs, bool coloured) {
+CellRecord read_cell(const Store& store, const Cell& cell, bool coloured) {
   CellRecord r{cell.node,
                read_column_of(store, cell, columns::kCodes),
                read_column_of(store, cell, columns::kOrder),
@@ -55,7 +55,6 @@ CellRecord read_cell(const Store& store, const Cell& cell, std::span<const std::
                content_of(cell_path(store, cell)),
                content_of(shapes_path(store, cell))};
   if (coloured) r.colours = read_column_of(store, cell, columns::kColour);
-  for (InputOrder& order : r.order) order = input_order(inputs[file_of(order)], row_of(order));
   return r;
 }
 

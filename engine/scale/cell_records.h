@@ -17,16 +17,15 @@ namespace ilot {
 struct CellRecord {
   Node node;
   std::vector<std::uint64_t> codes;
-  std::vector<InputOrder> order;  // with the numbers of all inputs of the plan
+  std::vector<InputOrder> order;  // with places in the list of inputs of the area
   std::vector<PackedNormal> normals;
   std::vector<StoredColour> colours;  // empty where no input of the area has colours
   std::vector<std::byte> planes;      // the content of cell_path()
   std::vector<std::byte> shapes;      // the content of shapes_path(); empty where there is none
 };
 
-// Reads a cell from a store in which planes_pass has worked. `inputs` has the number in the plan of each input of the
-// store.
-CellRecord read_cell(const Store& store, const Cell& cell, std::span<const std::uint32_t> inputs, bool coloured);
+// Reads a cell from a store in which planes_pass has worked.
+CellRecord read_cell(const Store& store, const Cell& cell, bool coloured);
 
 nlohmann::json record_of(const CellRecord& cell);
 

@@ -30,10 +30,15 @@ fs::path carried(const Store& store, const Node& node, const char* suffix) {
   return store.folder() / "carried" / (node.name() + suffix);
 }
 
-// The points of the cell go to the run, all else to files of its own.
-void unpack_cell(const CellRecord& r, const Store& store, SortedRunWriter& run, std::atomic<bool>& coloured) {
+// The points of the cell go to the run, all else to files of its own. `inputs` are those of its area.
+void unpack_cell(const CellRecord& r, std::span<const std::uint32_t> inputs, const Store& store, SortedRunWriter& run,
+                 std::atomic<bool>& coloured) {
   std::vector<KeyValue> points(r.codes.size());
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] = {r.codes[i], run_value(r.order[i], 0, 0)};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::uint32_t place = file_of(r.order[i]);
+    if (place >= inputs.size()) throw Error("a cell of a part names an input that its area does not have");
+    points[i] = {r.codes[i], run_value(input_order(inputs[place], row_of(r.order[i])), 0, 0)};
+  }
   run.add(r.node.tile, points);
   const Cell cell{r.node, 0, {}};
   write_column<PackedNormal>(carried(store, r.node, kNormalsOfCell), r.normals);
@@ -45,7 +50,8 @@ void unpack_cell(const CellRecord& r, const Store& store, SortedRunWriter& run, 
   write_column<std::byte>(cell_path(store, cell), r.planes);
 }
 
-SortedRun unpack_part(const fs::path& part, const Store& store, const fs::path& stem, std::atomic<bool>& coloured) {
+SortedRun unpack_part(const fs::path& part, std::span<const std::uint32_t> inputs, const Store& store,
+                      const fs::path& stem, std::atomic<bool>& coloured) {
   SortedRunWriter run(stem);
   RecordFileReader file(part);
   std::optional<Node> last;
@@ -57,7 +63,7 @@ SortedRun unpack_part(const fs::path& part, const Store& store, const fs::path& 
       if (last && !(before(*last, cell.node) && !last->contains(cell.node)))
         throw Error(part.string() + ": its cells are not in order");
       last = cell.node;
-      unpack_cell(cell, store, run, coloured);
+      unpack_cell(cell, inputs, store, run, coloured);
     }
   } catch (const nlohmann::json::exception&) {
     throw Error(part.string() + ": is damaged; remove it and run its task again");
@@ -86,14 +92,15 @@ void spread(const Store& store, const std::vector<Cell>& cells, const Column<T>&
 
 }  // namespace
 
-Store store_of_parts(std::span<const fs::path> parts, const Plan& plan, std::uint64_t block_points,
-                     const fs::path& folder, const PassContext& context) {
+Store store_of_parts(const fs::path& parts, std::span<const std::uint64_t> areas, const Plan& plan,
+                     std::uint64_t block_points, const fs::path& folder, const PassContext& context) {
   for (const char* name : {"runs", "blocks", "cells", "carried"}) fs::create_directories(folder / name);
   const Store empty(folder, plan.lattice.unit, {});
-  std::vector<SortedRun> runs(parts.size());
+  std::vector<SortedRun> runs(areas.size());
   std::atomic<bool> coloured = false;
-  run_pass(std::vector<PassTask>(parts.size(), {kBytesToUnpack, 1}), context.budget_bytes, [&](std::size_t i) {
-    runs[i] = unpack_part(parts[i], empty, folder / "runs" / std::to_string(i), coloured);
+  run_pass(std::vector<PassTask>(areas.size(), {kBytesToUnpack, 1}), context.budget_bytes, [&](std::size_t i) {
+    runs[i] = unpack_part(parts / std::to_string(areas[i]), plan.areas[areas[i] - 1].inputs, empty,
+                          folder / "runs" / std::to_string(i), coloured);
   });
   IndexParams params;
   params.block_points = block_points;

@@ -10,10 +10,10 @@
 
 namespace ilot {
 
-// Makes the store that a run would have after the search for planes in cells, from the cells of all parts: points,
-// normals, colours where an input has them, and the files of the cells. Only the borders of its blocks differ, on which
-// no result depends. No input is read. Throws Error for a part that is damaged.
-Store store_of_parts(std::span<const std::filesystem::path> parts, const Plan& plan, std::uint64_t block_points,
-                     const std::filesystem::path& folder, const PassContext& context);
+// Makes the store that a run would have after the search for planes in cells, from the cells of the parts of these
+// areas: points, normals, colours where an input has them, and the files of the cells. Only the borders of its blocks
+// differ, on which no result depends. No input is read. Throws Error for a part that is damaged.
+Store store_of_parts(const std::filesystem::path& parts, std::span<const std::uint64_t> areas, const Plan& plan,
+                     std::uint64_t block_points, const std::filesystem::path& folder, const PassContext& context);
 
 }  // namespace ilot

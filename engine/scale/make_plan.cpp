@@ -16,24 +16,26 @@
 #include "engine/pass/resident.h"
 #include "engine/products/planes/cells/cells.h"
 #include "engine/products/planes/product.h"
-#include "engine/products/roofs/cluster_plan.h"
 #include "engine/products/roofs/footprint_outcome.h"
 #include "engine/products/roofs/footprint_plan.h"
 #include "engine/products/roofs/make_roofs.h"
 #include "engine/products/roofs/product.h"
 #include "engine/products/roofs/roof_roles.h"
 #include "engine/report/counted.h"
+#include "engine/report/sha256.h"
 #include "engine/run/folder_lock.h"
 #include "engine/run/inputs/input_crs.h"
 #include "engine/run/inputs/open_inputs.h"
 #include "engine/run/memory_budget.h"
 #include "engine/run/run_context.h"
 #include "engine/run/run_request.h"
+#include "engine/scale/area_key.h"
 #include "engine/scale/cell_part.h"
+#include "engine/scale/chunk_boxes.h"
 #include "engine/scale/plan.h"
 #include "engine/scale/plan_areas.h"
-#include "engine/scale/records.h"
-#include "engine/scale/site_records.h"
+#include "engine/scale/plan_sites.h"
+#include "engine/scale/plan_update.h"
 #include "engine/store/flushed.h"
 #include "engine/version.h"
 #include "engine/whole_file.h"
@@ -98,7 +100,8 @@ void check_folder(const PlanOptions& options) {
   if (!fs::exists(folder)) return;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (name != ".store" && name != kSitesFolder && name != kLockFile && !name.starts_with(kPlanFile))
+    if (name != ".store" && name != kSitesFolder && name != kChunksFolder && name != kPartsFolder &&
+        name != kLockFile && !name.starts_with(kPlanFile))
       throw Error(folder.string() + ": contains something else than an unfinished plan; give another -o",
                   ExitCode::usage);
   }
@@ -164,46 +167,18 @@ void freeze_index(const IndexResult& index, const RunInputs& inputs, const PassC
     if (index.rejected[i] > 0) plan.rejected[kRejectionNames[i]] = index.rejected[i];
 }
 
-std::vector<PlannedSite> find_sites(const RunOptions& options, const IndexResult& index, std::vector<PlannedSite> given,
-                                    const PassContext& context, Progress& progress, RunRecord& record, Plan& plan) {
-  const bool footprints = !options.footprints.empty();
-  const Settings& settings = options.settings;
-  if (footprints) {
-    auto roles = point_roles(settings.classes.building, settings.classes.ground);
-    if (!settings.roofs.trust_classes) roles.fill(PointRole::unclassified);
-    plan.roofs.by_shape = count_of(write_roles(index.store, roles, context), PointRole::building) == 0;
-  } else {
-    plan.roofs.by_shape = make_roof_roles(index.store, settings, context, progress).has_value();
-    given = plan_clusters(index.store, settings.roofs, context, progress, record);
-    plan.roofs.clusters = record.clusters;
-  }
-  if (plan.roofs.by_shape)
-    plan.chosen.push_back({"roofs.trust_classes", std::string("false"),
-                           "no point of classes.building is used; ground and buildings are found by shape"});
-  plan.chosen.insert(plan.chosen.end(), record.chosen.begin(), record.chosen.end());
-  return given;
-}
-
-void write_sites(const fs::path& path, const AreaSites& cut, std::span<const PlannedSite> sites, PlanArea& area) {
-  std::vector<std::size_t> all = cut.own;
-  all.insert(all.end(), cut.neighbours.begin(), cut.neighbours.end());
-  std::sort(all.begin(), all.end());
-  RecordFileWriter file(path, {{"kind", "sites"}});
-  for (const std::size_t i : all)
-    file.add(record_of(NumberedSite{i, std::binary_search(cut.own.begin(), cut.own.end(), i), sites[i]}));
-  area.sites_sum = file.finish();
-}
-
 // What a task of this area will need. Memory: what a run of few threads needs, and the sites of the area.
 void estimate_area(const PointMap& map, std::uint64_t neighbours, const Plan& plan, PlanArea& area) {
   constexpr std::uint64_t kBytesOfSiteInMemory = 2000;  // Choice: an outline of some ten corners, its record and map
   area.points = map.in(area.read);
   std::uint64_t rows = 0;
   for (std::uint32_t i = 0; i < plan.inputs.size(); ++i) {
-    if (plan.inputs[i].box.is_empty() || !plan.inputs[i].box.intersects(area.read)) continue;
+    const std::uint64_t before = rows;
+    for (const RowRange& range : rows_that_meet(map.inputs[i], area.read)) rows += range.end - range.first;
+    if (rows == before) continue;
     area.inputs.push_back(i);
-    area.input_bytes += plan.inputs[i].record.bytes;
-    rows += plan.inputs[i].record.points;
+    const double share = static_cast<double>(rows - before) / static_cast<double>(plan.inputs[i].record.points);
+    area.input_bytes += static_cast<std::uint64_t>(share * static_cast<double>(plan.inputs[i].record.bytes));
   }
   const ProductCost& cost = is_of_planes(plan) ? planes_product().cost : roofs_product().cost;
   constexpr double kMicroseconds = 1e-6, kReading = 0.5;  // as in run_estimate.cpp, for each row that is decoded
@@ -220,10 +195,22 @@ void check_count(std::size_t areas) {
               ExitCode::usage);
 }
 
-void cut(const PlanOptions& options, const IndexResult& index, std::span<const PlannedSite> sites,
-         const PassContext& context, const fs::path& folder, Plan& plan) {
-  const PointMap map = map_points(index.store, plan.inputs.size(), context);
-  for (std::size_t i = 0; i < plan.inputs.size(); ++i) plan.inputs[i].box = map.inputs[i];
+// The map of all points; leaves in the folder where the chunks of the inputs are.
+PointMap mapped(const fs::path& folder, const RunInputs& inputs, const IndexResult& index, const PassContext& context,
+                Plan& plan) {
+  PointMap map = map_points(index.store, chunks_of(inputs.readers), context);
+  fs::remove_all(folder / kChunksFolder);
+  fs::create_directories(folder / kChunksFolder);
+  for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
+    plan.inputs[i].box = map.inputs[i].all();
+    write_chunks(folder / kChunksFolder / std::to_string(i + 1), map.inputs[i]);
+  }
+  return map;
+}
+
+void cut(const PlanOptions& options, const IndexResult& index, const PointMap& map, std::span<const PlannedSite> sites,
+         const PassContext& context, Plan& plan) {
+  const fs::path& folder = options.run.output;
   SitePointsParams points;
   points.margin = plan.settings.roofs.margin;
   const double roles = plan.roofs.by_shape ? reach_of_found_roles(plan.settings) : 0;
@@ -236,20 +223,22 @@ void cut(const PlanOptions& options, const IndexResult& index, std::span<const P
   plan.area_size = options.area_size > 0 ? options.area_size : suitable_area_size(map, step, plan.halo);
   const std::vector<AreaSites> areas = cut_areas(sites, step, {plan.area_size, plan.halo, reach_of(points)});
   check_count(areas.size());
+  SiteMarks marks{plan.roofs.extent, {}};
+  if (plan.roofs.footprints) marks.sampled = sample_of_sites(sites.size());
   fs::remove_all(folder / kSitesFolder);
   fs::create_directories(folder / kSitesFolder);
   for (const AreaSites& a : areas) {
     plan.areas.push_back(a.area);
     PlanArea& area = plan.areas.back();
     estimate_area(map, a.neighbours.size(), plan, area);
-    write_sites(folder / kSitesFolder / std::to_string(plan.areas.size()), a, sites, area);
+    const fs::path file = folder / kSitesFolder / std::to_string(plan.areas.size());
+    area.key = area_key(plan, area, write_sites(file, a, sites, marks, area));
   }
 }
 
 // Areas of planes are squares of whole cells, of the side that is nearest to the one that is asked for.
-void cut_cells(const PlanOptions& options, const IndexResult& index, const PassContext& context, Plan& plan) {
-  const PointMap map = map_points(index.store, plan.inputs.size(), context);
-  for (std::size_t i = 0; i < plan.inputs.size(); ++i) plan.inputs[i].box = map.inputs[i];
+void cut_cells(const PlanOptions& options, const IndexResult& index, const PointMap& map, const PassContext& context,
+               Plan& plan) {
   const double step = index.store.unit() * context.metres_per_unit;
   const std::int64_t edge = largest_cell(step), halo = halo_of_cells(plan.settings, step);
   const double cell = static_cast<double>(edge) * step;
@@ -260,14 +249,17 @@ void cut_cells(const PlanOptions& options, const IndexResult& index, const PassC
   plan.area_size = static_cast<double>(cells) * cell;
   plan.areas = cut_cell_areas(map, {edge, cells, halo});
   check_count(plan.areas.size());
-  for (PlanArea& area : plan.areas) estimate_area(map, 0, plan, area);
+  for (PlanArea& area : plan.areas) {
+    estimate_area(map, 0, plan, area);
+    area.key = area_key(plan, area, "");
+  }
 }
 
-void freeze_roofs(const PlanOptions& options, const RunInputs& inputs, const IndexResult& index,
+void freeze_roofs(const PlanOptions& options, const RunInputs& inputs, const IndexResult& index, const PointMap& map,
                   std::vector<PlannedSite> given, const PassContext& context, Progress& progress, RunRecord& record,
                   Plan& plan) {
   const RunOptions& run = options.run;
-  const std::vector<PlannedSite> sites = find_sites(run, index, std::move(given), context, progress, record, plan);
+  const std::vector<PlannedSite> sites = find_sites(options, index, std::move(given), context, progress, record, plan);
   {
     const RoofSetup setup(index.store, sites, run.settings, inputs.crs, context);
     plan.roofs.frame = {setup.file.city_json.origin, setup.file.city_json.extent, setup.file.further};
@@ -276,7 +268,7 @@ void freeze_roofs(const PlanOptions& options, const RunInputs& inputs, const Ind
   plan.roofs.footprints = record.footprints;
   plan.roofs.extent = extent_of_points(index.store, context);
   plan.roofs.sites = sites.size();
-  cut(options, index, sites, context, run.output, plan);
+  cut(options, index, map, sites, context, plan);
 }
 
 Plan begun(const PlanOptions& options, const RunInputs& inputs, const RunRecord& record) {
@@ -314,18 +306,30 @@ void fill_folder(const PlanOptions& options, const RunInputs& inputs, std::vecto
   progress.end_stage();
   if (index.store.points() == 0) throw Error("none of the points of the inputs can be used; ilot info says why");
   freeze_index(index, inputs, context, plan);
+  const PointMap map = mapped(folder, inputs, index, context, plan);
   if (is_of_planes(plan))
-    cut_cells(options, index, context, plan);
+    cut_cells(options, index, map, context, plan);
   else
-    freeze_roofs(options, inputs, index, std::move(given), context, progress, record, plan);
+    freeze_roofs(options, inputs, index, map, std::move(given), context, progress, record, plan);
   plan.skipped = record.skipped;
   plan.warnings = record.warnings;
   fs::remove_all(store);
   fs::create_directories(folder / kPartsFolder);
+  if (!options.update.empty()) {
+    const std::uint64_t kept = keep_parts(options.update, read_plan(options.update), plan, folder);
+    progress.note(fmt::format("{} of {} keep their part from {}; the tasks of the others are left", grouped(kept),
+                              counted(plan.areas.size(), "area"), options.update.string()));
+  }
   write_whole_file(folder / kPlanFile, plan_text(plan));
 }
 
 }  // namespace
+
+PlanOptions options_of_update(PlanOptions given) {
+  take_options(read_plan(given.update), given);
+  given.statistics = given.update;
+  return given;
+}
 
 int make_plan(const PlanOptions& options, Progress& progress) {
   int code = 0;

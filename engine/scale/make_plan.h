@@ -9,8 +9,13 @@ namespace ilot {
 // run; its output is the folder of the plan.
 struct PlanOptions {
   RunOptions run;
-  double area_size = 0;  // metres; 0: chosen from the points
+  double area_size = 0;              // metres; 0: chosen from the points
+  std::filesystem::path statistics;  // a plan whose values of `auto` are kept; none
+  std::filesystem::path update;      // a plan whose values and valid parts are kept, and that says all else; none
 };
+
+// The options of a plan that is to replace another: all that is not given is as in the other plan.
+PlanOptions options_of_update(PlanOptions given);
 
 // Reads all inputs once, measures what depends on all points, and writes the folder of a plan: plan.json, last, and
 // sites/. Throws Error, with ExitCode::usage for a product whose areas would not give the bytes of one run. Returns the

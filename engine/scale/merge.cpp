@@ -37,38 +37,71 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The buildings of one part, front to back, which is the order of their numbers.
+// The own sites of an area, front to back, which is the order of their numbers.
+class OwnSites {
+ public:
+  OwnSites(const fs::path& path, std::size_t buffer) : path_(path), file_(path, buffer) {}
+  std::optional<NumberedSite> next() {
+    try {
+      while (const auto record = file_.next())
+        if (NumberedSite site = numbered_site(*record); site.own) return site;
+    } catch (const nlohmann::json::exception&) {
+      throw Error(path_.string() + ": is damaged; make the plan again");
+    }
+    return std::nullopt;
+  }
+
+ private:
+  fs::path path_;
+  RecordFileReader file_;
+};
+
+// A building with what the plan knows of its site.
+struct MergedSite {
+  std::uint64_t number = 0;
+  bool outside = false;
+  BuiltSite built;
+};
+
+// The buildings of one part, one for each own site of the area.
 class PartReader {
  public:
-  PartReader(const fs::path& path, std::size_t buffer) : path_(path), file_(path, buffer) { advance(); }
-  bool ended() const { return ended_; }
-  std::uint64_t number() const { return built_.number; }
-  BuiltSite take() {
-    BuiltSite built = std::move(built_);
+  PartReader(const fs::path& plan, const std::string& area, std::size_t buffer)
+      : path_(plan / kPartsFolder / area), sites_(plan / kSitesFolder / area, buffer), file_(path_, buffer) {
     advance();
-    if (!ended_ && built_.number <= built.number) throw Error(path_.string() + ": its buildings are not in order");
-    return built;
+  }
+  bool ended() const { return ended_; }
+  std::uint64_t number() const { return next_.number; }
+  MergedSite take() {
+    MergedSite site = std::move(next_);
+    advance();
+    return site;
   }
   const ShiftCounts& shifts() const { return shifts_; }
 
  private:
+  [[noreturn]] void damaged() const { throw Error(path_.string() + ": is damaged; remove it and run its task again"); }
+
   void advance() {
     try {
       const auto record = file_.next();
+      const auto site = sites_.next();
       ended_ = !record || is_summary(*record);
+      if (ended_ == site.has_value()) damaged();  // not one building for each site
       if (record && ended_) {
         shifts_ = summary_of(*record).shifts;
         file_.next();  // the end, which proves that the file is whole
       }
-      if (!ended_) built_ = built_site(*record);
+      if (!ended_) next_ = {site->number, site->outside, built_site(*record)};
     } catch (const nlohmann::json::exception&) {
-      throw Error(path_.string() + ": is damaged; remove it and run its task again");
+      damaged();
     }
   }
 
   fs::path path_;
+  OwnSites sites_;
   RecordFileReader file_;
-  BuiltSite built_;
+  MergedSite next_;
   ShiftCounts shifts_;
   bool ended_ = false;
 };
@@ -81,7 +114,7 @@ std::vector<std::uint64_t> areas_with_parts(const MergeOptions& options, const P
     const fs::path part = options.plan / kPartsFolder / std::to_string(area);
     if (!fs::exists(part))
       missing.push_back(area);
-    else if (RecordFileReader(part, 1u << 12).head() != part_head(plan.hash, area))
+    else if (RecordFileReader(part, 1u << 12).head() != part_head(plan.areas[area - 1].key))
       stale.push_back(area);
     else
       found.push_back(area);
@@ -138,7 +171,7 @@ Merged merge_buildings(const MergeOptions& options, const Plan& plan, const std:
   using Next = std::pair<std::uint64_t, std::size_t>;
   std::priority_queue<Next, std::vector<Next>, std::greater<>> order;
   for (const std::uint64_t area : areas) {
-    parts.push_back(std::make_unique<PartReader>(options.plan / kPartsFolder / std::to_string(area), buffer));
+    parts.push_back(std::make_unique<PartReader>(options.plan, std::to_string(area), buffer));
     if (!parts.back()->ended()) order.push({parts.back()->number(), parts.size() - 1});
   }
   progress.begin_stage("merge", plan.roofs.sites, {plan.roofs.sites, "buildings"});
@@ -147,16 +180,16 @@ Merged merge_buildings(const MergeOptions& options, const Plan& plan, const std:
     stop_if_asked();
     const std::size_t n = order.top().second;
     order.pop();
-    BuiltSite built = parts[n]->take();
+    MergedSite site = parts[n]->take();
     if (!parts[n]->ended()) order.push({parts[n]->number(), n});
-    merged.labelled += built.labelled;
+    merged.labelled += site.built.labelled;
     ++merged.names.sites;
-    const std::string& id = built.result.levels.at(0).id;
-    if (built.result.status == RoofStatus::footprint_only) {
+    const std::string& id = site.built.result.levels.at(0).id;
+    if (site.built.result.status == RoofStatus::footprint_only) {
       merged.names.all.insert(id);
-      if (built.outside) merged.names.beyond.insert(id);
+      if (site.outside) merged.names.beyond.insert(id);
     }
-    sink.take(built.result);
+    sink.take(site.built.result);
     progress.advance(1);
   }
   for (const auto& part : parts) add(merged.shifts, part->shifts());

@@ -40,10 +40,8 @@ void merge_planes(const MergeOptions& options, const Plan& plan, const std::vect
   PassContext context = pass_context(run, inputs, block_points, progress);
   context.rounding = plan.rounding;
   context.corner = plan.corner;
-  std::vector<fs::path> parts;
-  for (const std::uint64_t area : areas) parts.push_back(options.plan / kPartsFolder / std::to_string(area));
   progress.begin_stage("merge", plan.points);
-  const Store store = store_of_parts(parts, plan, block_points, folder, context);
+  const Store store = store_of_parts(options.plan / kPartsFolder, areas, plan, block_points, folder, context);
   progress.end_stage();
   if (store.points() == 0) throw Error(options.plan.string() + ": the parts have no points");
   ProductRun work{.store = store,

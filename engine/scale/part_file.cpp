@@ -8,16 +8,15 @@ namespace ilot {
 
 using nlohmann::json;
 
-json part_head(const std::string& plan_hash, std::uint64_t area) {
-  return {{"kind", "part"}, {"plan", plan_hash}, {"area", area}};
+json part_head(const std::string& key) {
+  return {{"kind", "part"}, {"key", key}};
 }
 
-PartState part_state(const std::filesystem::path& path, const std::string& plan_hash, std::uint64_t area,
-                     PartSummary& summary) {
+PartState part_state(const std::filesystem::path& path, const std::string& key, PartSummary& summary) {
   if (!std::filesystem::exists(path)) return PartState::missing;
   try {
     RecordFileReader file(path);
-    if (file.head() != part_head(plan_hash, area)) return PartState::stale;
+    if (file.head() != part_head(key)) return PartState::stale;
     bool ended = false;
     while (const auto record = file.next())
       if (is_summary(*record)) {

@@ -19,11 +19,11 @@ struct PartSummary {
   ShiftCounts shifts;               // of buildings
 };
 
-nlohmann::json part_head(const std::string& plan_hash, std::uint64_t area);
+// The head of the part of an area with this key.
+nlohmann::json part_head(const std::string& key);
 
-// Whether the file is the part of this area of this plan. Reads the whole file; fills in the summary where it is whole.
-PartState part_state(const std::filesystem::path& path, const std::string& plan_hash, std::uint64_t area,
-                     PartSummary& summary);
+// Whether the file is the part of an area with this key. Reads the whole file; fills in the summary where it is whole.
+PartState part_state(const std::filesystem::path& path, const std::string& key, PartSummary& summary);
 
 // The last record of a part.
 nlohmann::json summary_record(const PartSummary& summary);

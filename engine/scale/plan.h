@@ -57,6 +57,7 @@ struct PlanArea {
   std::uint64_t part_bytes = 0;       // expected
   double processor_seconds = 0;       // expected
   std::string sites_sum;              // of the file of its sites
+  std::string key;                    // area_key.h: by what its part is known
 };
 
 struct Plan {
@@ -95,7 +96,7 @@ std::string plan_text(const Plan& plan);
 // another version of the program, whose results could differ.
 Plan read_plan(const std::filesystem::path& folder);
 
-// The hash by which a plan and the parts that belong to it know each other.
+// The hash of a text: of plan.json, by which a plan and its labels know each other, or of what decides a part.
 std::string plan_hash(const std::string& text);
 
 }  // namespace ilot

@@ -21,17 +21,30 @@ constexpr double kPointsOfArea = 10e6;
 constexpr double kLeastHalos = 5;  // side of an area in halos
 constexpr double kRoundTo = 10;    // metres
 
-// The points of one block in squares, and the boxes of inputs.
-PointMap map_of_block(const Store& store, std::uint32_t block, std::size_t inputs, int bits) {
-  PointMap map{bits, {}, std::vector<IndexBox>(inputs, IndexBox::none())};
+using Chunk = std::pair<std::uint32_t, std::size_t>;  // input, and number in it
+
+// The points of one block: in squares, and the boxes of those of each chunk.
+struct BlockMap {
+  std::map<std::pair<std::int64_t, std::int64_t>, std::uint64_t> squares;
+  std::map<Chunk, IndexBox> chunks;
+};
+
+BlockMap map_of_block(const Store& store, std::uint32_t block, std::span<const ChunkBoxes> inputs, int bits) {
+  BlockMap map;
   const auto codes = store.read(block, columns::kCodes);
   const auto orders = store.read(block, columns::kOrder);
   const Tile tile = store.blocks()[block].node.tile;
   std::pair<std::int64_t, std::int64_t> last;
   std::uint64_t* count = nullptr;
+  Chunk last_chunk;
+  IndexBox* box = nullptr;
   for (std::size_t i = 0; i < codes.size(); ++i) {
     const Index3 p = index_of({tile, codes[i]});
-    map.inputs[file_of(orders[i])].add(p);
+    const std::uint32_t file = file_of(orders[i]);
+    const Chunk chunk{file, inputs[file].chunk_of(row_of(orders[i]))};
+    if (box == nullptr || chunk != last_chunk)
+      box = &map.chunks.try_emplace(last_chunk = chunk, IndexBox::none()).first->second;
+    box->add(p);
     const std::pair square{p.y >> bits, p.x >> bits};
     if (count == nullptr || square != last) count = &map.squares[last = square];
     ++*count;
@@ -66,19 +79,18 @@ std::uint64_t PointMap::in(const IndexBox& box) const {
   return points;
 }
 
-PointMap map_points(const Store& store, std::size_t inputs, const PassContext& context) {
+PointMap map_points(const Store& store, std::vector<ChunkBoxes> chunks, const PassContext& context) {
   int bits = 0;
   while (bits < kTileBits && std::ldexp(store.unit() * context.metres_per_unit, bits + 1) <= kSquareMetres) ++bits;
-  PointMap all{bits, {}, std::vector<IndexBox>(inputs, IndexBox::none())};
+  PointMap all{bits, {}, std::move(chunks)};
   std::mutex adding;
   std::vector<PassTask> tasks;
   for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesToMap, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
-    const PointMap part = map_of_block(store, static_cast<std::uint32_t>(i), inputs, bits);
+    const BlockMap part = map_of_block(store, static_cast<std::uint32_t>(i), all.inputs, bits);
     const std::lock_guard lock(adding);
     for (const auto& [square, points] : part.squares) all.squares[square] += points;
-    for (std::size_t n = 0; n < inputs; ++n)
-      if (!part.inputs[n].is_empty()) all.inputs[n].add_box(part.inputs[n]);
+    for (const auto& [chunk, box] : part.chunks) all.inputs[chunk.first].boxes[chunk.second].add_box(box);
   });
   return all;
 }

@@ -9,20 +9,22 @@
 
 #include "engine/pass/context.h"
 #include "engine/products/roofs/sites/site_plan.h"
+#include "engine/scale/chunk_boxes.h"
 #include "engine/scale/plan.h"
 #include "engine/store/store.h"
 
 namespace ilot {
 
-// How many points of a store lie in squares of the plan, and where the points of each input are.
+// How many points of a store lie in squares of the plan, and where the chunks of each input are.
 struct PointMap {
   int bits = 0;  // the side of a square is 2^bits lattice steps
   std::map<std::pair<std::int64_t, std::int64_t>, std::uint64_t> squares;  // row, column
-  std::vector<IndexBox> inputs;                                            // box of the points of each input
+  std::vector<ChunkBoxes> inputs;
 
   std::uint64_t in(const IndexBox& box) const;  // points in all squares that meet the box
 };
-PointMap map_points(const Store& store, std::size_t inputs, const PassContext& context);
+// `chunks` are those of the inputs, with empty boxes.
+PointMap map_points(const Store& store, std::vector<ChunkBoxes> chunks, const PassContext& context);
 
 // The side of areas in metres that suits the points: few enough points for one task, and so large that halos are a
 // small part.

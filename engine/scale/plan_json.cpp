@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // plan.json and back.
+#include "engine/scale/plan_json.h"
+
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -17,11 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFormat = "ilot plan 1";
-
-Json box_json(const IndexBox& b) {
-  return b.is_empty() ? Json() : Json{b.min.x, b.min.y, b.min.z, b.max.x, b.max.y, b.max.z};
-}
+constexpr const char* kFormat = "ilot plan 2";
 
 IndexBox box_of(const Json& list) {
   if (list.is_null()) return IndexBox::none();
@@ -146,7 +144,8 @@ Json area_json(const PlanArea& a, std::size_t number) {
           {"memory_bytes", a.memory_bytes},
           {"part_bytes", a.part_bytes},
           {"processor_seconds", a.processor_seconds},
-          {"sites_sum", a.sites_sum}};
+          {"sites_sum", a.sites_sum},
+          {"key", a.key}};
 }
 
 PlanArea area_of(const Json& j) {
@@ -163,6 +162,7 @@ PlanArea area_of(const Json& j) {
   a.part_bytes = j.at("part_bytes").get<std::uint64_t>();
   a.processor_seconds = j.at("processor_seconds").get<double>();
   a.sites_sum = j.at("sites_sum").get<std::string>();
+  a.key = j.at("key").get<std::string>();
   return a;
 }
 
@@ -205,7 +205,7 @@ Plan plan_of(const Json& j) {
   const Json& frozen = j.at("frozen");
   p.lattice = {frozen.at("unit").get<double>(), frozen.at("multiple").get<std::int64_t>()};
   p.rounding = frozen.at("rounding").get<double>();
-  const auto corner = frozen.at("corner").get<std::array<std::int64_t, 3>>();
+  const auto corner = j.at("corner").get<std::array<std::int64_t, 3>>();
   p.corner = {corner[0], corner[1], corner[2]};
   p.stray_bits = frozen.at("stray_bits").get<int>();
   for (const Json& c : frozen.at("stray_cells"))
@@ -223,40 +223,49 @@ Plan plan_of(const Json& j) {
 
 }  // namespace
 
+Json box_json(const IndexBox& b) {
+  return b.is_empty() ? Json() : Json{b.min.x, b.min.y, b.min.z, b.max.x, b.max.y, b.max.z};
+}
+
 bool is_of_planes(const Plan& plan) {
   return std::ranges::find(plan.products, "planes") != plan.products.end();
 }
 
-std::string plan_text(const Plan& p) {
-  Json strays = Json::array(), inputs = Json::array(), areas = Json::array();
+Json task_json(const Plan& p) {
+  Json strays = Json::array();
   for (const CoarseCell& c : p.strays) strays.push_back({c.x, c.y, c.z});
-  for (const PlanInput& i : p.inputs) inputs.push_back(input_json(i));
-  for (std::size_t n = 0; n < p.areas.size(); ++n) areas.push_back(area_json(p.areas[n], n + 1));
   char hash[20];
   std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(settings_hash(p.settings)));
-  Json j{{"format", kFormat},
-         {"version", p.version},
-         {"git_hash", p.git_hash},
-         {"products", p.products},
-         {"parameters", Json::parse(settings_json(p.settings))},
-         {"parameters_hash", hash},
-         {"crs_option", p.crs_option},
-         {"text_dialect", p.dialect ? words_of(*p.dialect) : ""},
-         {"crs", crs_json(p.crs)},
-         {"points", p.points},
-         {"rejected", p.rejected},
-         {"inputs", inputs},
-         {"frozen",
-          {{"unit", p.lattice.unit},
-           {"multiple", p.lattice.multiple},
-           {"rounding", p.rounding},
-           {"corner", {p.corner.x, p.corner.y, p.corner.z}},
-           {"stray_bits", p.stray_bits},
-           {"stray_cells", strays}}},
-         {"notes", notes_json(p)},
-         {"halo", {{"metres", p.halo}, {"why", p.halo_why}}},
-         {"area_size_m", p.area_size},
-         {"areas", areas}};
+  return {{"version", p.version},
+          {"git_hash", p.git_hash},
+          {"products", p.products},
+          {"parameters", Json::parse(settings_json(p.settings))},
+          {"parameters_hash", hash},
+          {"crs_option", p.crs_option},
+          {"text_dialect", p.dialect ? words_of(*p.dialect) : ""},
+          {"crs", crs_json(p.crs)},
+          {"frozen",
+           {{"unit", p.lattice.unit},
+            {"multiple", p.lattice.multiple},
+            {"rounding", p.rounding},
+            {"stray_bits", p.stray_bits},
+            {"stray_cells", strays}}}};
+}
+
+std::string plan_text(const Plan& p) {
+  Json inputs = Json::array(), areas = Json::array();
+  for (const PlanInput& i : p.inputs) inputs.push_back(input_json(i));
+  for (std::size_t n = 0; n < p.areas.size(); ++n) areas.push_back(area_json(p.areas[n], n + 1));
+  Json j{{"format", kFormat}};
+  j.update(task_json(p));
+  j["points"] = p.points;
+  j["rejected"] = p.rejected;
+  j["inputs"] = inputs;
+  j["corner"] = {p.corner.x, p.corner.y, p.corner.z};
+  j["notes"] = notes_json(p);
+  j["halo"] = {{"metres", p.halo}, {"why", p.halo_why}};
+  j["area_size_m"] = p.area_size;
+  j["areas"] = areas;
   if (!is_of_planes(p)) j["roofs"] = roofs_json(p.roofs);
   return j.dump(1) + "\n";
 }

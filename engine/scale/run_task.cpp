@@ -14,6 +14,7 @@
 #include "engine/report/counted.h"
 #include "engine/run/memory_budget.h"
 #include "engine/scale/cell_part.h"
+#include "engine/scale/chunk_boxes.h"
 #include "engine/scale/label_task.h"
 #include "engine/scale/part_file.h"
 #include "engine/scale/plan.h"
@@ -32,8 +33,9 @@ namespace fs = std::filesystem;
 // The sites of an area and the outlines around them, in the order of all sites.
 struct LocalSites {
   std::vector<PlannedSite> sites;
-  std::vector<std::uint64_t> numbers;
-  std::vector<std::size_t> own;  // places in the lists above
+  std::vector<bool> outside;
+  std::vector<std::size_t> own;      // places in the lists above
+  std::vector<std::size_t> sampled;  // places in the list `own`
 };
 
 LocalSites read_sites(const fs::path& path, const PlanArea& area) {
@@ -42,8 +44,9 @@ LocalSites read_sites(const fs::path& path, const PlanArea& area) {
   try {
     while (const auto record = file.next()) {
       NumberedSite n = numbered_site(*record);
+      if (n.sampled) local.sampled.push_back(local.own.size());
       if (n.own) local.own.push_back(local.sites.size());
-      local.numbers.push_back(n.number);
+      local.outside.push_back(n.outside);
       local.sites.push_back(std::move(n.site));
     }
   } catch (const nlohmann::json::exception&) {
@@ -54,13 +57,15 @@ LocalSites read_sites(const fs::path& path, const PlanArea& area) {
 }
 
 Store index_of_area(const RunOptions& options, const RunInputs& inputs, const Plan& plan, const PlanArea& area,
-                    const fs::path& folder, const PassContext& context) {
+                    const fs::path& chunks, const fs::path& folder, const PassContext& context) {
   if (inputs.readers.empty() || area.read.is_empty()) return {folder, plan.lattice.unit, {}};
   IndexParams p;
   p.unit = plan.lattice.unit;
   p.multiple = plan.lattice.multiple;
   for (const int code : options.settings.classes.noise) p.filter.noise.set(static_cast<std::size_t>(code));
   p.filter.keep = area.read;
+  for (const std::uint32_t i : area.inputs)
+    p.rows.push_back(rows_that_meet(read_chunks(chunks / std::to_string(i + 1)), area.read));
   p.finest_step = options.settings.index.finest_step;
   p.keep_strays = options.settings.index.keep_strays;
   p.strays = Strays(plan.stray_bits, plan.strays);
@@ -72,31 +77,21 @@ Store index_of_area(const RunOptions& options, const RunInputs& inputs, const Pl
   return std::move(index.store);
 }
 
-bool is_outside(const Plan& plan, const PlannedSite& site) {
-  return !site.outline.polygon.empty() && !site.outline.box.meets(plan.roofs.extent);
-}
-
 // Makes the buildings of the area, and returns what the end of the part says.
 PartSummary write_buildings(const Store& store, const LocalSites& local, const Plan& plan, const PassContext& context,
                             Progress& progress, RecordFileWriter& file) {
   if (store.points() > 0) make_roof_roles(store, plan.settings, context, progress, plan.roofs.by_shape);
   const RoofSetup setup(store, local.sites, plan.settings, plan.crs, context);
-  std::vector<std::size_t> sample;
-  if (plan.roofs.footprints) {
-    const std::vector<std::size_t> of_all = sample_of_sites(plan.roofs.sites);
-    for (std::size_t n = 0; n < local.own.size(); ++n)
-      if (std::ranges::binary_search(of_all, local.numbers[local.own[n]])) sample.push_back(n);
-  }
   RoofLabels labels(store);
   PartSummary summary;
-  summary.shifts =
-      model_buildings(setup, local.own, sample, context, progress, labels, [&](std::size_t n, SiteResult& result) {
-        std::uint64_t labelled = 0;
-        for (const LabelRun& run : result.labels) labelled += run.count;
-        const bool outside = is_outside(plan, local.sites[local.own[n]]);
-        summary.without_model += plan.roofs.footprints && result.status == RoofStatus::footprint_only && !outside;
-        file.add(record_of(BuiltSite{local.numbers[local.own[n]], labelled, outside, std::move(result)}));
-      });
+  summary.shifts = model_buildings(setup, local.own, local.sampled, context, progress, labels,
+                                   [&](std::size_t n, SiteResult& result) {
+                                     std::uint64_t labelled = 0;
+                                     for (const LabelRun& run : result.labels) labelled += run.count;
+                                     const bool asked = plan.roofs.footprints && !local.outside[local.own[n]];
+                                     summary.without_model += asked && result.status == RoofStatus::footprint_only;
+                                     file.add(record_of(BuiltSite{labelled, std::move(result)}));
+                                   });
   progress.end_stage();
   return summary;
 }
@@ -115,9 +110,9 @@ PartSummary make_part(const TaskOptions& task, const Plan& plan, const PlanArea&
   open_flushed(folder);
   const PassContext context = frozen_context(options, inputs, plan, progress);
   progress.begin_stage("index", inputs.points);
-  const Store store = index_of_area(options, inputs, plan, area, folder, context);
+  const Store store = index_of_area(options, inputs, plan, area, task.plan / kChunksFolder, folder, context);
   progress.end_stage();
-  RecordFileWriter file(part, part_head(plan.hash, task.number));
+  RecordFileWriter file(part, part_head(area.key));
   PartSummary summary;
   if (is_of_planes(plan))
     summary.cells = write_cells(store, inputs, plan, area, context, progress, file);
@@ -136,7 +131,7 @@ int work_on_area(const TaskOptions& options, const Plan& plan, Progress& progres
   const PlanArea& area = plan.areas[options.number - 1];
   const fs::path parts = options.plan / kPartsFolder, part = parts / std::to_string(options.number);
   PartSummary summary;
-  const PartState state = part_state(part, plan.hash, options.number, summary);
+  const PartState state = part_state(part, area.key, summary);
   if (state == PartState::whole) {
     progress.note(part.string() + ": is done, nothing is left to do");
     return exit_code(summary);

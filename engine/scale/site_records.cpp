@@ -65,6 +65,8 @@ json record_of(const NumberedSite& n) {
   const GridBox& box = n.site.outline.box;
   return {{"number", n.number},
           {"own", n.own},
+          {"outside", n.outside},
+          {"sampled", n.sampled},
           {"id", n.site.id},
           {"anchor", {n.site.outline.x, n.site.outline.y}},
           {"rings", rings},
@@ -75,7 +77,11 @@ json record_of(const NumberedSite& n) {
 }
 
 NumberedSite numbered_site(const json& record) {
-  NumberedSite n{record.at("number").get<std::uint64_t>(), record.at("own").get<bool>(), {}};
+  NumberedSite n;
+  n.number = record.at("number").get<std::uint64_t>();
+  n.own = record.at("own").get<bool>();
+  n.outside = record.at("outside").get<bool>();
+  n.sampled = record.at("sampled").get<bool>();
   n.site.id = record.at("id").get<std::string>();
   PlacedOutline& outline = n.site.outline;
   outline.x = record.at("anchor").at(0).get<std::int64_t>();
@@ -93,20 +99,23 @@ NumberedSite numbered_site(const json& record) {
   return n;
 }
 
+json without_number(const NumberedSite& site) {
+  json record = record_of(site);
+  record.erase("number");
+  return record;
+}
+
 json record_of(const BuiltSite& built) {
   json levels = json::array();
   for (const Building& level : built.result.levels) levels.push_back(level_json(level));
-  return {{"number", built.number},        {"labelled", built.labelled},
-          {"outside", built.outside},      {"status", static_cast<int>(built.result.status)},
+  return {{"labelled", built.labelled},    {"status", static_cast<int>(built.result.status)},
           {"reason", built.result.reason}, {"thinned", built.result.thinned},
           {"planes", built.result.planes}, {"levels", levels}};
 }
 
 BuiltSite built_site(const json& record) {
   BuiltSite built;
-  built.number = record.at("number").get<std::uint64_t>();
   built.labelled = record.at("labelled").get<std::uint64_t>();
-  built.outside = record.at("outside").get<bool>();
   built.result.status = static_cast<RoofStatus>(record.at("status").get<int>());
   built.result.reason = record.at("reason").get<std::string>();
   built.result.thinned = record.at("thinned").get<bool>();

@@ -14,19 +14,23 @@ namespace ilot {
 struct NumberedSite {
   std::uint64_t number = 0;  // in the list of all sites
   bool own = false;          // of the area; else a neighbour, whose outline matters
+  bool outside = false;      // its outline lies wholly outside of the extent of all points
+  bool sampled = false;      // one of those by which the common shift of footprints is measured
   PlannedSite site;
 };
 
-// A building that a task made, without the places of its points.
+// A building that a task made of a site of its own, without the places of its points.
 struct BuiltSite {
-  std::uint64_t number = 0;    // as above
   std::uint64_t labelled = 0;  // points that have its label
-  bool outside = false;        // its outline lies wholly outside of the extent of all points
   SiteResult result;
 };
 
 nlohmann::json record_of(const NumberedSite& site);
 NumberedSite numbered_site(const nlohmann::json& record);
+
+// What of the site a task depends on: all but its number.
+nlohmann::json without_number(const NumberedSite& site);
+
 nlohmann::json record_of(const BuiltSite& built);
 BuiltSite built_site(const nlohmann::json& record);
 

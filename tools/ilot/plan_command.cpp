@@ -25,6 +25,7 @@ constexpr std::uint64_t kLeastOfTask = 96u << 20;
 struct PlanArguments {
   std::vector<std::string> inputs, products{"roofs"}, assignments;
   std::string output, config, memory, store, footprints, id_field, crs, dialect, area_size = "auto", kind;
+  std::string update, statistics;
   int threads = 0;
   bool estimate = false, quiet = false;
 };
@@ -66,15 +67,18 @@ PlanOptions options_of(const PlanArguments& given) {
   run.dialect = open_options(given.dialect).dialect;
   run.clouds = false;
   options.area_size = area_size_of(given.area_size);
-  run.inputs = expand_inputs(given.inputs);
-  return options;
+  if (!given.inputs.empty()) run.inputs = expand_inputs(given.inputs);
+  options.statistics = given.statistics;
+  options.update = given.update;
+  return given.update.empty() ? options : options_of_update(std::move(options));
 }
 
 int plan_command(const PlanArguments& given) {
   const bool reads = given.estimate || !given.kind.empty();
-  if (given.inputs.empty()) throw Error("plan: no INPUT given (ilot plan --help)", ExitCode::usage);
+  if (given.inputs.empty() && given.update.empty())
+    throw Error("plan: no INPUT given (ilot plan --help)", ExitCode::usage);
   if (given.output.empty() && reads) {
-    if (given.inputs.size() != 1)
+    if (given.inputs.size() != 1 || !given.update.empty())
       throw Error("plan: --as and --estimate read one PLAN (ilot plan --help)", ExitCode::usage);
     print(given.kind.empty() ? plan_estimate(given.inputs[0]) + "\n" : plan_script(given.inputs[0], given.kind));
     return 0;
@@ -175,11 +179,24 @@ void add_plan_command(CLI::App& app, Action& action) {
   auto given = std::make_shared<PlanArguments>();
   add_plan_work(*command, *given);
   add_machine_options(*command, given->memory, given->threads);
+  command
+      ->add_option("--update", given->update,
+                   "a plan of the same run: only areas whose inputs changed are left to do; INPUT as there if none is "
+                   "given [none]")
+      ->option_text("OLD");
+  command
+      ->add_option("--statistics", given->statistics,
+                   "a plan whose values of auto are kept, as --update does, with all areas to do [none]")
+      ->option_text("OLD");
   command->add_option("--as", given->kind, "print what runs PLAN: make, slurm, snakemake, dask or k8s [none]")
       ->option_text("ENGINE");
   command->add_flag("--estimate", given->estimate, "print what the tasks of PLAN need in all [off]");
   command->add_flag("-q,--quiet", given->quiet, "say only what is wrong [off]");
-  command->footer("Example: ilot plan tiles/ -o plan --products roofs --footprints buildings.gpkg");
+  for (const char* set : {"--products", "--area-size", "--config", "--set", "--crs", "--text-dialect", "--statistics"})
+    command->get_option("--update")->excludes(command->get_option(set));
+  command->footer(
+      "Example: ilot plan tiles/ -o plan --products roofs --footprints buildings.gpkg\n"
+      "Example: ilot plan tiles/ -o plan-2 --update plan");
   command->callback([given, &action] { action = [given] { return plan_command(*given); }; });
 }
 

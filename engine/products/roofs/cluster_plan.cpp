@@ -179,6 +179,10 @@ class Outliner {
 
 }  // namespace
 
+double suitable_cluster_distance(const Store& store, const PassContext& context) {
+  return distance_for(sampling_step(store, context));
+}
+
 std::vector<PlannedSite> plan_clusters(const Store& store, const RoofsSettings& settings, const PassContext& context,
                                        Progress& progress, RunRecord& record) {
   progress.begin_stage("clusters", store.points());

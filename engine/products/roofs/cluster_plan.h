@@ -18,4 +18,8 @@ namespace ilot {
 std::vector<PlannedSite> plan_clusters(const Store& store, const RoofsSettings& settings, const PassContext& context,
                                        Progress& progress, RunRecord& record);
 
+// The distance in metres that suits the points whose column "role" is building: roofs.cluster_distance where
+// it is not set.
+double suitable_cluster_distance(const Store& store, const PassContext& context);
+
 }  // namespace ilot
