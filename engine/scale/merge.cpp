@@ -25,7 +25,7 @@
 #include "engine/run/result_swap.h"
 #include "engine/scale/label_store.h"
 #include "engine/scale/merge_planes.h"
-#include "engine/scale/part_file.h"
+#include "engine/scale/parts/part_file.h"
 #include "engine/scale/plan.h"
 #include "engine/scale/records.h"
 #include "engine/scale/site_records.h"

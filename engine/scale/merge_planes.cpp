@@ -12,8 +12,8 @@
 #include "engine/products/planes/product.h"
 #include "engine/run/memory_budget.h"
 #include "engine/run/run_context.h"
-#include "engine/scale/cell_store.h"
 #include "engine/scale/label_store.h"
+#include "engine/scale/parts/cell_store.h"
 #include "engine/store/flushed.h"
 #include "kernels/core/parallel.h"
 

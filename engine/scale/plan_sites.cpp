@@ -18,6 +18,8 @@
 namespace ilot {
 namespace {
 
+namespace fs = std::filesystem;
+
 // Clusters with the values that another plan measured, which a change of the points must not move.
 std::vector<PlannedSite> clusters_as_before(const Plan& before, const IndexResult& index, Settings settings,
                                             const PassContext& context, Progress& progress, RunRecord& record) {

@@ -5,7 +5,7 @@
 
 #include "engine/error.h"
 #include "engine/pass/pass.h"
-#include "engine/scale/part_file.h"
+#include "engine/scale/parts/part_file.h"
 #include "engine/scale/records.h"
 
 namespace ilot {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/scale/part_file.h"
+#include "engine/scale/parts/part_file.h"
 
 #include "engine/error.h"
 #include "engine/scale/records.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/scale/cell_part.h"
+#include "engine/scale/parts/cell_part.h"
 
 #include <algorithm>
 #include <bit>
@@ -8,7 +8,7 @@
 #include "engine/columns/normals_pass.h"
 #include "engine/pass/pass.h"
 #include "engine/products/planes/cells/planes_pass.h"
-#include "engine/scale/cell_records.h"
+#include "engine/scale/parts/cell_records.h"
 
 namespace ilot {
 

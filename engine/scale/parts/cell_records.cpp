@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/scale/cell_records.h"
+#include "engine/scale/parts/cell_records.h"
 
 #include <algorithm>
 #include <cstring>

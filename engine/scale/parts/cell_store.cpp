@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/scale/cell_store.h"
+#include "engine/scale/parts/cell_store.h"
 
 #include <atomic>
 #include <optional>
@@ -11,8 +11,8 @@
 #include "engine/pass/pass.h"
 #include "engine/products/planes/cells/cell_shapes.h"
 #include "engine/products/planes/cells/planes_pass.h"
-#include "engine/scale/cell_records.h"
-#include "engine/scale/part_file.h"
+#include "engine/scale/parts/cell_records.h"
+#include "engine/scale/parts/part_file.h"
 #include "engine/scale/records.h"
 
 namespace ilot {
