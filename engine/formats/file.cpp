@@ -12,6 +12,7 @@
 
 #include "engine/error.h"
 #include "engine/formats/open_files.h"
+#include "engine/formats/remote_file.h"
 #include "engine/system_reason.h"
 
 namespace ilot {
@@ -30,6 +31,11 @@ int open_to_read(const std::filesystem::path& path) {
 }  // namespace
 
 InputFile::InputFile(const std::filesystem::path& path) : path_(path) {
+  if (is_remote(path)) {
+    remote_ = std::make_unique<RemoteFile>(path);
+    size_ = remote_->size();
+    return;
+  }
   const int descriptor = open_to_read(path);
   if (descriptor < 0) fail(path, "cannot be opened");
   struct stat status {};
@@ -59,6 +65,10 @@ int InputFile::reopen() const {
 std::size_t InputFile::read_at(std::uint64_t offset, std::span<std::byte> out) const {
   if (offset >= size_) return 0;
   out = out.first(static_cast<std::size_t>(std::min<std::uint64_t>(out.size(), size_ - offset)));
+  if (remote_) {
+    remote_->read_at(offset, out);
+    return out.size();
+  }
   const OpenFiles::Use use(open_files(), *this);
   std::size_t done = 0;
   while (done < out.size()) {
@@ -70,6 +80,14 @@ std::size_t InputFile::read_at(std::uint64_t offset, std::span<std::byte> out) c
     done += static_cast<std::size_t>(got);
   }
   return done;
+}
+
+std::uint64_t bytes_of_file(const std::filesystem::path& path) {
+  try {
+    return InputFile(path).size();
+  } catch (const Error&) {
+    return 0;
+  }
 }
 
 OutputFile::OutputFile(const std::filesystem::path& path) : path_(path), part_(path) {

@@ -5,13 +5,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 
 namespace ilot {
 
-// A regular file to read. Throws Error when it is missing, unreadable or not a file. Reads are thread-safe. The file is
-// opened when it is read, and closed again when too many others are read (open_files.h), so any number of InputFiles
-// can exist.
+class RemoteFile;
+
+// A regular file, or a remote one, to read. Throws Error when it is missing, unreadable or not a file. Reads are
+// thread-safe. The file is opened when it is read, and closed again when too many others are read (open_files.h), so
+// any number of InputFiles can exist.
 class InputFile {
  public:
   explicit InputFile(const std::filesystem::path& path);
@@ -32,7 +35,11 @@ class InputFile {
  private:
   std::filesystem::path path_;
   std::uint64_t size_ = 0, device_ = 0, inode_ = 0;
+  std::unique_ptr<RemoteFile> remote_;  // none: a file of this machine
 };
+
+// The bytes of a file, remote or not; 0 where it cannot be opened.
+std::uint64_t bytes_of_file(const std::filesystem::path& path);
 
 // A file that is written under the name PATH.part and renamed to PATH by commit(). Without commit() no file remains.
 // Every write is checked and throws Error (disk full, no permission). write_at is thread-safe, append is not.

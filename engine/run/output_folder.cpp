@@ -10,6 +10,7 @@
 
 #include "engine/error.h"
 #include "engine/formats/arrays/array_reader.h"
+#include "engine/formats/remote_file.h"
 #include "engine/report/product_files.h"
 #include "engine/report/resources.h"
 #include "engine/report/sha256.h"
@@ -85,7 +86,7 @@ bool lies_in(const fs::path& file, const fs::path& folder) {
 void check_sources(const fs::path& folder, const RunOptions& options, const RunInputs& inputs) {
   std::vector<fs::path> read;
   for (const auto& reader : inputs.readers)
-    if (!is_in_memory(reader->info())) read.push_back(reader->info().path);
+    if (!is_in_memory(reader->info()) && !is_remote(reader->info().path)) read.push_back(reader->info().path);
   for (const fs::path& path : {options.footprints, options.stations, options.train})
     if (!path.empty() && fs::exists(path)) read.push_back(path);
   for (const fs::path& path : read)

@@ -11,6 +11,7 @@
 
 #include "engine/formats/arrays/array_reader.h"
 #include "engine/formats/file.h"
+#include "engine/formats/remote_file.h"
 #include "engine/report/path_text.h"
 #include "engine/report/sha256.h"
 #include "engine/settings/config.h"
@@ -30,6 +31,10 @@ std::string sum_of(const json& value) {
 }
 
 json file_json(const fs::path& path) {
+  if (is_remote(path)) {
+    const RemoteFile file(path);
+    return {{"path", path_text(path)}, {"bytes", file.size()}, {"modified", file.modified()}, {"ends", ends_of(path)}};
+  }
   std::error_code ignored;
   return {{"path", path_text(fs::absolute(path).lexically_normal())},
           {"bytes", fs::file_size(path, ignored)},

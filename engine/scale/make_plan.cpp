@@ -9,6 +9,7 @@
 
 #include "engine/error.h"
 #include "engine/formats/file.h"
+#include "engine/formats/remote_file.h"
 #include "engine/pass/index.h"
 #include "engine/pass/input_lattice.h"
 #include "engine/pass/kept_columns.h"
@@ -283,7 +284,7 @@ Plan begun(const PlanOptions& options, const RunInputs& inputs, const RunRecord&
   for (const InputRecord& input : record.inputs) {
     PlanInput& i = plan.inputs.emplace_back();
     i.record = input;
-    i.record.path = fs::absolute(input.path).lexically_normal().string();
+    if (!is_remote(input.path)) i.record.path = fs::absolute(input.path).lexically_normal().string();
     i.ends = ends_of(input.path);
   }
   parallel_for(plan.inputs.size(), [&](std::size_t i) { plan.inputs[i].sha256 = sum_of_file(record.inputs[i].path); });

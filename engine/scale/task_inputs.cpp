@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "engine/error.h"
+#include "engine/formats/remote_file.h"
 #include "engine/run/memory_budget.h"
 #include "engine/run/run_context.h"
 #include "engine/run/run_request.h"
@@ -13,12 +14,25 @@ namespace ilot {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// A server that does not answer may do so later.
+std::uint64_t remote_bytes(const fs::path& path) {
+  try {
+    return RemoteFile(path).size();
+  } catch (const Error& fault) {
+    throw Error(fault.what(), ExitCode::try_again);
+  }
+}
+
+}  // namespace
+
 void check_inputs(const Plan& plan, std::span<const std::uint32_t> numbers) {
   for (const std::uint32_t i : numbers) {
     const PlanInput& input = plan.inputs.at(i);
     const fs::path path = input.record.path;
     std::error_code code;
-    const std::uint64_t bytes = fs::file_size(path, code);
+    const std::uint64_t bytes = is_remote(path) ? remote_bytes(path) : fs::file_size(path, code);
     if (code) throw Error(path.string() + ": the plan needs this input, and it is not there; put it back");
     if (bytes != input.record.bytes || ends_of(path) != input.ends)
       throw Error(path.string() + ": was changed after the plan was made; make the plan again");

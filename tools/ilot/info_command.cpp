@@ -167,7 +167,7 @@ int info_command(const InfoArguments& given) {
 void add_info_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("info", "Describes what point clouds contain, as measured");
   auto given = std::make_shared<InfoArguments>();
-  command->add_option("INPUT", given->inputs, "point clouds: files, folders, patterns")->option_text("...");
+  command->add_option("INPUT", given->inputs, "point clouds: files, folders, patterns, URLs")->option_text("...");
   add_dialect_option(*command, given->dialect);
   command->add_flag("--json", given->json, "a JSON list with one object per file [off]");
   command->add_flag("-q,--quiet", given->quiet, "no progress [off]");

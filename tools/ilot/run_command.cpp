@@ -142,7 +142,7 @@ int run_command(const RunArguments& given) {
 }
 
 void add_work_options(CLI::App& command, RunArguments& given) {
-  command.add_option("INPUT", given.inputs, "point clouds: files, folders, patterns")->option_text("...");
+  command.add_option("INPUT", given.inputs, "point clouds: files, folders, patterns, URLs")->option_text("...");
   command.add_option("-o,--output", given.output, "folder for the results, must not exist [none]")->option_text("OUT");
   command
       .add_option("--products", given.products,

@@ -7,6 +7,7 @@
 
 #include "engine/error.h"
 #include "engine/formats/reader.h"
+#include "engine/formats/remote_file.h"
 
 namespace ilot {
 namespace {
@@ -43,6 +44,10 @@ void add_folder(std::vector<fs::path>& files, const fs::path& folder) {
 std::vector<fs::path> expand_inputs(const std::vector<std::string>& arguments) {
   std::vector<fs::path> files;
   for (const std::string& argument : arguments) {
+    if (is_remote(argument)) {
+      files.emplace_back(argument);
+      continue;
+    }
     std::error_code code;
     std::vector<fs::path> found{argument};
     if (!fs::exists(argument, code)) found = matches(argument);
@@ -55,7 +60,8 @@ std::vector<fs::path> expand_inputs(const std::vector<std::string>& arguments) {
       }
     }
   }
-  for (fs::path& file : files) file = file.lexically_normal();
+  for (fs::path& file : files)
+    if (!is_remote(file)) file = file.lexically_normal();
   std::sort(files.begin(), files.end());
   files.erase(std::unique(files.begin(), files.end()), files.end());
   return files;

@@ -7,6 +7,7 @@
 #include "engine/error.h"
 #include "engine/formats/arrays/array_reader.h"
 #include "engine/formats/crs.h"
+#include "engine/formats/file.h"
 #include "engine/pass/pass.h"
 #include "engine/run/inputs/input_crs.h"
 #include "engine/run/inputs/read_edits.h"
@@ -51,8 +52,7 @@ void note_input(const CloudInfo& info, const RunOptions& options, Progress& prog
              " points can be read; these are used",
          options, progress, record);
   }
-  std::error_code ignored;
-  const std::uint64_t bytes = is_in_memory(info) ? 0 : std::filesystem::file_size(info.path, ignored);
+  const std::uint64_t bytes = is_in_memory(info) ? 0 : bytes_of_file(info.path);
   record.inputs.push_back({info.path.string(), info.format, crs_name(info.crs), info.points, bytes, "", info.dialect});
 }
 
