@@ -17,13 +17,16 @@ namespace {
 // Derived: stations lie 5 mm apart (one standard deviation), and materials are measured 2 mm too near or too far: 95 %
 // of both together.
 constexpr double kLeastStep = 0.012;  // metres between the wall and a pane
-// Derived: at the middle between both, a point in fifteen is on the wrong side.
-constexpr double kStepOfNoise = 3;  // times the scatter of the wall
+// Derived: at the middle between both, a point in six is on the wrong side, and the most of four points of a cell of
+// the wall once in 70.
+constexpr double kStepOfNoise = 2;  // times the scatter of the wall
 // Choice: what lies deeper is found without this: rays go through there.
 constexpr double kDeepest = 0.15;  // metres
 // Choice: as kSquare in silent_holes.cpp: joints between stones are narrower.
 constexpr double kPaneSquare = 0.8;  // share of the smallest opening
 constexpr double kStrayWall = 0.15;  // Choice: bars; share of the cells of such a square on which there may be wall
+// Derived: as kCellsOfBar in panes.cpp.
+constexpr double kCellsOfPole = 2;  // cells across the widest bar from which on what it hides is filled
 // Choice: doors of barns; what is larger is a wall that is set back.
 constexpr double kLargestPane = 4;  // metres, width and height
 // Choice: two thirds of the rows, as kStraight in silent_holes.cpp.
@@ -53,6 +56,7 @@ double off_form(const TrendSurface& form, const Ray& ray) {
 }
 
 // Marks the cells most of whose points lie behind the form by more than half of the step, among those of rows [r0, r1).
+// Points that stand before the wall by a step (pipes, cables, leaves of plants) show nothing of what they hide.
 void mark_rows(const RaySamples& samples, const TrendSurface& form, double step, std::int64_t r0, std::int64_t r1,
                WallCells& marks) {
   std::vector<std::int32_t> behind(static_cast<std::size_t>((r1 - r0) * marks.columns), 0), other(behind.size(), 0);
@@ -61,7 +65,7 @@ void mark_rows(const RaySamples& samples, const TrendSurface& form, double step,
   for (const Ray& ray : samples.near(rows.grown(marks.cell))) {
     const double off = off_form(form, ray);
     const Place2 p = samples.crossing(ray, 0);
-    if (off < -kDeepest || p.u < 0 || p.v < 0) continue;
+    if (off < -kDeepest || off > step || p.u < 0 || p.v < 0) continue;
     const auto c = static_cast<std::int64_t>(p.u / marks.cell), r = static_cast<std::int64_t>(p.v / marks.cell);
     if (c >= marks.columns || r < r0 || r >= r1) continue;
     ++(off < -step / 2 ? behind : other)[static_cast<std::size_t>((r - r0) * marks.columns + c)];
@@ -72,7 +76,8 @@ void mark_rows(const RaySamples& samples, const TrendSurface& form, double step,
                                                                                         : kUnknown;
 }
 
-// A cell without points is behind where five of its neighbours are: panes give fewer echoes than walls.
+// A cell without points is behind where five of its neighbours are: panes give fewer echoes than walls. So are those
+// that nothing wider than a bar hides from side to side, where cells are so small that a pier does not look like one.
 WallCells without_gaps(const WallCells& marks) {
   WallCells out = marks;
   for (std::int64_t r = 1; r + 1 < marks.rows; ++r)
@@ -82,7 +87,7 @@ WallCells without_gaps(const WallCells& marks) {
       for (std::int64_t k = 0; k < 9; ++k) behind += marks.at(c - 1 + k % 3, r - 1 + k / 3) == kThrough;
       if (behind >= 5) out.at(c, r) = kThrough;
     }
-  return out;
+  return kCellsOfPole * marks.cell <= kWidestBar ? filled(out, kWidestBar) : out;
 }
 
 // The wall about a pane, levelled.
@@ -166,15 +171,22 @@ void move_by(Place2 from, FoundRectangle& r) {
   if (r.arc) r.arc->centre = {r.arc->centre.u + from.u, r.arc->centre.v + from.v};
 }
 
-// The opening about a marked box.
-std::optional<FoundRectangle> shallow_opening(const RaySamples& samples, const TrendSurface& form, const Box2& box,
-                                              double least, const OpeningParams& params) {
-  const std::optional<Step> step = step_at_pane(samples, form, box, least);
-  if (!step) return std::nullopt;
-  const LocalWall local = local_wall(samples, form, box, *step, params);
-  const RaySamples about(local.site);
-  const WallCells cells = filled(cells_of(about, {step->depth / 2, farthest_in_room(samples, params)}), params.shadow);
-  const Place2 middle{(box.u0 + box.u1) / 2 - local.from.u, (box.v0 + box.v1) / 2 - local.from.v};
+// Joins cells over shadows at a marked pane only. Beyond it, what lies between this pane and the next one divides them:
+// their piers are often hidden by open shutters or in the shadow of one.
+WallCells filled_at(const Box2& pane, const WallCells& seen, double longest) {
+  WallCells out = filled(seen, longest);
+  const Box2 joined = pane.grown(seen.cell);
+  for (std::int64_t r = 0; r < out.rows; ++r)
+    for (std::int64_t c = 0; c < out.columns; ++c)
+      if (!joined.contains({(static_cast<double>(c) + 0.5) * out.cell, (static_cast<double>(r) + 0.5) * out.cell}))
+        out.at(c, r) = seen.at(c, r);
+  return out;
+}
+
+// The opening in those cells of the wall about a marked pane that are connected with its middle.
+std::optional<FoundRectangle> opening_at(const RaySamples& about, const WallCells& cells, const Box2& pane,
+                                         double through, const OpeningParams& params) {
+  const Place2 middle{(pane.u0 + pane.u1) / 2, (pane.v0 + pane.v1) / 2};
   std::optional<FoundRectangle> opening;
   for_each_region(
       cells, [&](std::size_t i) { return cells.what[i] == kThrough; },
@@ -184,9 +196,23 @@ std::optional<FoundRectangle> shallow_opening(const RaySamples& samples, const T
         if (c < static_cast<double>(b.c0) || c > static_cast<double>(b.c1 + 1) || r < static_cast<double>(b.r0) ||
             r > static_cast<double>(b.r1 + 1) || straight_share(region, b, cells.columns) < kStraightPane)
           return;
-        opening =
-            opening_in(about, cells, region, std::vector<bool>(cells.what.size(), false), step->depth / 2, params);
+        opening = opening_in(about, cells, region, std::vector<bool>(cells.what.size(), false), through, params);
       });
+  return opening;
+}
+
+// The opening about a marked box.
+std::optional<FoundRectangle> shallow_opening(const RaySamples& samples, const TrendSurface& form, const Box2& box,
+                                              double least, const OpeningParams& params) {
+  const std::optional<Step> step = step_at_pane(samples, form, box, least);
+  if (!step) return std::nullopt;
+  const LocalWall local = local_wall(samples, form, box, *step, params);
+  const RaySamples about(local.site);
+  const double through = step->depth / 2;
+  const Box2 pane{box.u0 - local.from.u, box.u1 - local.from.u, box.v0 - local.from.v, box.v1 - local.from.v};
+  const WallCells seen = cells_of(about, {through, farthest_in_room(samples, params)});
+  std::optional<FoundRectangle> opening = opening_at(about, filled(seen, params.shadow), pane, through, params);
+  if (!opening) opening = opening_at(about, filled_at(pane, seen, params.shadow), pane, through, params);
   if (opening) move_by(local.from, *opening);
   return opening;
 }

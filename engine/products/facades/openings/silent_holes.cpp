@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "engine/products/facades/openings/barred_holes.h"
 #include "engine/products/facades/openings/located_edge.h"
 
 namespace ilot {
@@ -59,6 +60,7 @@ bool is_obstacle(std::uint8_t what, Ends ends) {
 // What the points of one station show about a hole.
 struct HoleView {
   std::array<double, 4> beside{};  // rays on the wall beside each of kSides
+  std::array<double, 4> fired{};   // rays beside each of kSides, whatever they met
   double behind = 0;               // rays that ended in it behind the wall
   std::vector<bool> stopped;       // per cell of its box: a ray through it ended before the wall
 };
@@ -97,7 +99,9 @@ void note(const FacadeSite& site, const Ray& ray, bool on_wall, Place2 p, double
   const double w = ray.at.w;
   const bool flat = on_wall || (w > 0 && w <= kFlatRelief);
   if (const std::optional<Side> side = side_beside(h.box, p)) {
-    if (flat) ++h.views[ray.station].beside[static_cast<std::size_t>(*side)];
+    HoleView& view = h.views[ray.station];
+    view.fired[static_cast<std::size_t>(*side)] += 1;
+    if (flat) ++view.beside[static_cast<std::size_t>(*side)];
     return;
   }
   if (!h.box.contains(p)) return;
@@ -182,7 +186,7 @@ bool crosses(const ViewedHole& h, const HoleView& view, double cell) {
     if (side == Side::bottom && h.box.v0 < kFoot) continue;
     const bool upright = side == Side::left || side == Side::right;
     const auto along = static_cast<double>(upright ? h.hole.box.rows() : h.hole.box.columns());
-    if (view.beside[static_cast<std::size_t>(side)] < kBeside * rays_a_cell * strip * along) return false;
+    if (view.fired[static_cast<std::size_t>(side)] < kBeside * rays_a_cell * strip * along) return false;
   }
   return stopped_share(h, view, rays_a_cell) <= kMostStopped;
 }
@@ -278,20 +282,39 @@ void look(const RaySamples& samples, const WallCells& cells, std::vector<ViewedH
   for (ViewedHole& h : holes) h.hole.crossed = is_crossed(h, about, cells.cell);
 }
 
+// The holes that only bars divide, each as a whole.
+std::vector<ViewedHole> barred_holes(const WallCells& cells, const std::vector<ViewedHole>& viewed) {
+  std::vector<WallHole> holes;
+  for (const ViewedHole& h : viewed) holes.push_back(h.hole);
+  std::vector<ViewedHole> barred;
+  for (CellRegion& region : regions_over_bars(holes, cells))
+    if (std::optional<ViewedHole> h = viewed_hole(cells, std::move(region), kLeastEmpty))
+      barred.push_back(std::move(*h));
+  return barred;
+}
+
 }  // namespace
 
 std::vector<WallHole> find_holes(const RaySamples& samples, const WallCells& cells, double least_size) {
   std::vector<WallHole> holes;
   std::vector<bool> taken(cells.what.size(), false);
-  // Openings first, whole; then what something before them leaves of them. What stays was not seen.
-  for (const Ends ends : {Ends::at_wall, Ends::at_all_things}) {
-    std::vector<ViewedHole> viewed = viewed_holes(cells, taken, least_size, ends, kLeastEmpty);
-    look(samples, cells, viewed);
+  const auto take = [&](std::vector<ViewedHole>& viewed) {
     for (ViewedHole& h : viewed) {
       if (!h.hole.crossed || !h.hole.straight) continue;
       for (const std::uint32_t i : h.hole.region.cells) taken[i] = true;
       holes.push_back(std::move(h.hole));
     }
+  };
+  // Openings first, whole, and such as only bars divide; then what something before them leaves of them. What stays was
+  // not seen.
+  for (const Ends ends : {Ends::at_wall, Ends::at_all_things}) {
+    std::vector<ViewedHole> viewed = viewed_holes(cells, taken, least_size, ends, kLeastEmpty);
+    look(samples, cells, viewed);
+    std::vector<ViewedHole> barred = barred_holes(cells, viewed);
+    look(samples, cells, barred);
+    take(barred);
+    std::erase_if(viewed, [&](const ViewedHole& h) { return taken[h.hole.region.cells.front()]; });
+    take(viewed);
   }
   for (ViewedHole& h : viewed_holes(cells, taken, least_size, Ends::at_wall, 0)) holes.push_back(std::move(h.hole));
   return holes;
