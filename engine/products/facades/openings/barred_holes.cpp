@@ -49,8 +49,7 @@ void join(Pane& a, Pane&& b, bool upright_bar, std::int64_t columns) {
   cells.insert(cells.end(), b.region.cells.begin(), b.region.cells.end());
   for (std::int64_t across = p.high + 1; across < q.low; ++across)
     for (std::int64_t along = std::max(p.from, q.from); along <= std::min(p.to, q.to); ++along)
-      cells.push_back(
-          static_cast<std::uint32_t>(upright_bar ? along * columns + across : across * columns + along));
+      cells.push_back(static_cast<std::uint32_t>(upright_bar ? along * columns + across : across * columns + along));
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   a.box = {std::min(a.box.c0, b.box.c0), std::max(a.box.c1, b.box.c1), std::min(a.box.r0, b.box.r0),

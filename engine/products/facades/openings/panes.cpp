@@ -36,22 +36,33 @@ bool end_alike(const FoundRectangle& a, const FoundRectangle& b, Side side) {
   return std::abs(a.at(side) - b.at(side)) <= kEqual + a.error(side) + b.error(side);
 }
 
-// Whether no more than a bar parts two openings along half of the shorter one, and (where wanted) both end alike along
-// it.
-bool touch_at_bar(const FoundRectangle& a, const FoundRectangle& b, bool end_together) {
+// How panes are compared: whether both must end alike along a bar, and whether panes beside each other are joined too.
+struct PaneTest {
+  bool end_together = true, side_by_side = true;
+};
+
+// Whether no more than a bar parts two openings along half of the shorter one. A pane with an arch or a point is the
+// upper one of two.
+bool touch_at_bar(const FoundRectangle& a, const FoundRectangle& b, PaneTest test) {
   const Box2 p = a.box(), q = b.box();
   const auto alike = [&](Side from, Side to) {
-    return !end_together || (end_alike(a, b, from) && end_alike(a, b, to));
+    return !test.end_together || (end_alike(a, b, from) && end_alike(a, b, to));
   };
   const bool rows = 2 * -gap_between(p.v0, p.v1, q.v0, q.v1) >= std::min(p.height(), q.height());
   const bool columns = 2 * -gap_between(p.u0, p.u1, q.u0, q.u1) >= std::min(p.width(), q.width());
-  return a.is_rectangle() && b.is_rectangle() &&
-         ((rows && is_bar(p, q, true) && alike(Side::bottom, Side::top)) ||
-          (columns && is_bar(p, q, false) && alike(Side::left, Side::right)));
+  const bool straight = a.is_rectangle() && b.is_rectangle();
+  const FoundRectangle& lower = p.v0 < q.v0 ? a : b;
+  const FoundRectangle& upper = p.v0 < q.v0 ? b : a;
+  const bool headed = test.end_together && lower.is_rectangle() && !upper.leans();
+  return (straight && test.side_by_side && rows && is_bar(p, q, true) && alike(Side::bottom, Side::top)) ||
+         ((straight || headed) && columns && is_bar(p, q, false) && alike(Side::left, Side::right));
 }
 
-// Each side is that of the pane farthest out, or of the better known one where both end alike.
+// Each side is that of the pane farthest out, or of the better known one where both end alike. An arch or a point stays
+// the head.
 void join_pane(FoundRectangle& a, const FoundRectangle& b) {
+  if (b.arc) a.arc = b.arc;
+  if (b.pointed) a.pointed = b.pointed;
   for (const Side side : kSides) {
     const bool low = side == Side::left || side == Side::bottom;
     const double farther = low ? a.at(side) - b.at(side) : b.at(side) - a.at(side);
@@ -63,12 +74,12 @@ void join_pane(FoundRectangle& a, const FoundRectangle& b) {
   a.no_echo = a.no_echo && b.no_echo;
 }
 
-void join_pairs(std::vector<FoundRectangle>& found) {
+void join_pairs(std::vector<FoundRectangle>& found, bool side_by_side) {
   for (bool more = true; more;) {
     more = false;
     for (std::size_t i = 0; i < found.size(); ++i)
       for (std::size_t k = i + 1; k < found.size();) {
-        if (!touch_at_bar(found[i], found[k], true)) {
+        if (!touch_at_bar(found[i], found[k], {true, side_by_side})) {
           ++k;
           continue;
         }
@@ -85,7 +96,7 @@ std::vector<std::size_t> connected_by_bars(const std::vector<FoundRectangle>& fo
   for (std::size_t m = 0; m < members.size(); ++m)
     for (std::size_t k = 0; k < found.size(); ++k)
       if (std::find(members.begin(), members.end(), k) == members.end() &&
-          touch_at_bar(found[members[m]], found[k], false))
+          touch_at_bar(found[members[m]], found[k], {false, true}))
         members.push_back(k);
   std::sort(members.begin(), members.end());
   return members;
@@ -122,9 +133,9 @@ void join_grids(std::vector<FoundRectangle>& found) {
 }  // namespace
 
 void join_panes(double cell, std::vector<FoundRectangle>& found) {
-  if (kCellsOfBar * cell > kWidestBar) return;
-  join_pairs(found);
-  join_grids(found);
+  const bool piers_show = kCellsOfBar * cell <= kWidestBar;
+  join_pairs(found, piers_show);
+  if (piers_show) join_grids(found);
 }
 
 }  // namespace ilot

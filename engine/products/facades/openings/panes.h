@@ -10,9 +10,10 @@ namespace ilot {
 // Joins panes of one window: first two that lie side by side or one above the other, with no more than a bar between
 // them and of equal extent along the bar; then several that fill a rectangle together, as two casements below a transom
 // light. Each side of the window is the side of the pane that lies farthest out, with its own error, or the better
-// known one of two that end alike. Arched panes and panes that lean stay alone. `cell` is the size of the cells in
-// which they were found, in metres: nothing is joined where a pier may look like a bar. O(n^3) in the openings of a
-// wall at worst.
+// known one of two that end alike. A pane with an arch or a point is joined with the rectangle below it and gives the
+// head; panes that lean stay alone. `cell` is the size of the cells in which they were found, in metres: panes beside
+// each other are not joined where a pier may look like a bar; the wall between two storeys is higher than a bar. O(n^3)
+// in the openings of a wall at worst.
 void join_panes(double cell, std::vector<FoundRectangle>& found);
 
 }  // namespace ilot

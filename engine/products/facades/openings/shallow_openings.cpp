@@ -56,7 +56,8 @@ double off_form(const TrendSurface& form, const Ray& ray) {
 }
 
 // Marks the cells most of whose points lie behind the form by more than half of the step, among those of rows [r0, r1).
-// Points that stand before the wall by a step (pipes, cables, leaves of plants) show nothing of what they hide.
+// Points that stand before the wall by a step (pipes, cables, leaves of plants) show nothing of what they hide. Cells
+// without points that rays are known to have crossed belong to the pane: it is clean there, and dusty elsewhere.
 void mark_rows(const RaySamples& samples, const TrendSurface& form, double step, std::int64_t r0, std::int64_t r1,
                WallCells& marks) {
   std::vector<std::int32_t> behind(static_cast<std::size_t>((r1 - r0) * marks.columns), 0), other(behind.size(), 0);
@@ -70,10 +71,13 @@ void mark_rows(const RaySamples& samples, const TrendSurface& form, double step,
     if (c >= marks.columns || r < r0 || r >= r1) continue;
     ++(off < -step / 2 ? behind : other)[static_cast<std::size_t>((r - r0) * marks.columns + c)];
   }
-  for (std::size_t i = 0; i < behind.size(); ++i)
-    marks.what[static_cast<std::size_t>(r0 * marks.columns) + i] = behind[i] > other[i] ? kThrough
-                                                                   : other[i] > 0       ? kSolid
-                                                                                        : kUnknown;
+  for (std::size_t i = 0; i < behind.size(); ++i) {
+    std::uint8_t& what = marks.what[static_cast<std::size_t>(r0 * marks.columns) + i];
+    if (behind[i] + other[i] == 0)
+      what = what == kThrough ? kThrough : kUnknown;
+    else
+      what = behind[i] > other[i] ? kThrough : kSolid;
+  }
 }
 
 // A cell without points is behind where five of its neighbours are: panes give fewer echoes than walls. So are those
@@ -183,9 +187,27 @@ WallCells filled_at(const Box2& pane, const WallCells& seen, double longest) {
   return out;
 }
 
+// The cells of the wall about a pane. Those without points take over that rays crossed them; `silent` marks them.
+WallCells cells_about(const RaySamples& about, const WallCells& whole, Place2 from, const WallCellParams& params,
+                      std::vector<bool>& silent) {
+  WallCells cells = cells_of(about, params);
+  silent.assign(cells.what.size(), false);
+  for (std::size_t i = 0; i < cells.what.size(); ++i) {
+    const auto at = static_cast<std::int64_t>(i);
+    const double u = from.u + (static_cast<double>(at % cells.columns) + 0.5) * cells.cell;
+    const double v = from.v + (static_cast<double>(at / cells.columns) + 0.5) * cells.cell;
+    const auto c = static_cast<std::int64_t>(u / whole.cell), r = static_cast<std::int64_t>(v / whole.cell);
+    if (cells.what[i] != kUnknown || c >= whole.columns || r >= whole.rows || whole.at(c, r) != kThrough) continue;
+    cells.what[i] = kThrough;
+    silent[i] = true;
+  }
+  return cells;
+}
+
 // The opening in those cells of the wall about a marked pane that are connected with its middle.
-std::optional<FoundRectangle> opening_at(const RaySamples& about, const WallCells& cells, const Box2& pane,
-                                         double through, const OpeningParams& params) {
+std::optional<FoundRectangle> opening_at(const RaySamples& about, const WallCells& cells,
+                                         const std::vector<bool>& silent, const Box2& pane, double through,
+                                         const OpeningParams& params) {
   const Place2 middle{(pane.u0 + pane.u1) / 2, (pane.v0 + pane.v1) / 2};
   std::optional<FoundRectangle> opening;
   for_each_region(
@@ -196,23 +218,24 @@ std::optional<FoundRectangle> opening_at(const RaySamples& about, const WallCell
         if (c < static_cast<double>(b.c0) || c > static_cast<double>(b.c1 + 1) || r < static_cast<double>(b.r0) ||
             r > static_cast<double>(b.r1 + 1) || straight_share(region, b, cells.columns) < kStraightPane)
           return;
-        opening = opening_in(about, cells, region, std::vector<bool>(cells.what.size(), false), through, params);
+        opening = opening_in(about, cells, region, silent, through, params);
       });
   return opening;
 }
 
 // The opening about a marked box.
 std::optional<FoundRectangle> shallow_opening(const RaySamples& samples, const TrendSurface& form, const Box2& box,
-                                              double least, const OpeningParams& params) {
+                                              double least, const WallCells& whole, const OpeningParams& params) {
   const std::optional<Step> step = step_at_pane(samples, form, box, least);
   if (!step) return std::nullopt;
   const LocalWall local = local_wall(samples, form, box, *step, params);
   const RaySamples about(local.site);
   const double through = step->depth / 2;
   const Box2 pane{box.u0 - local.from.u, box.u1 - local.from.u, box.v0 - local.from.v, box.v1 - local.from.v};
-  const WallCells seen = cells_of(about, {through, farthest_in_room(samples, params)});
-  std::optional<FoundRectangle> opening = opening_at(about, filled(seen, params.shadow), pane, through, params);
-  if (!opening) opening = opening_at(about, filled_at(pane, seen, params.shadow), pane, through, params);
+  std::vector<bool> silent;
+  const WallCells seen = cells_about(about, whole, local.from, {through, farthest_in_room(samples, params)}, silent);
+  std::optional<FoundRectangle> opening = opening_at(about, filled(seen, params.shadow), silent, pane, through, params);
+  if (!opening) opening = opening_at(about, filled_at(pane, seen, params.shadow), silent, pane, through, params);
   if (opening) move_by(local.from, *opening);
   return opening;
 }
@@ -243,17 +266,34 @@ std::vector<FoundRectangle> find_shallow_openings(const RaySamples& samples, con
         if (fill < kPaneFill || std::min(box.width(), box.height()) < params.least_size ||
             std::max(box.width(), box.height()) > kLargestPane)
           return;
-        if (const std::optional<FoundRectangle> opening = shallow_opening(samples, form, box, step, params))
+        if (const std::optional<FoundRectangle> opening = shallow_opening(samples, form, box, step, cells, params))
           found.push_back(*opening);
       });
   return found;
 }
 
+namespace {
+
+// Whether an opening is a part of another one that goes on beyond it, by more than the errors of both.
+bool is_part(const FoundRectangle& part, const FoundRectangle& whole) {
+  bool farther = false;
+  for (const Side side : kSides) {
+    const bool low = side == Side::left || side == Side::bottom;
+    const double beyond = low ? part.at(side) - whole.at(side) : whole.at(side) - part.at(side);
+    const double error = part.error(side) + whole.error(side);
+    if (beyond < -error) return false;
+    farther |= beyond > error;
+  }
+  return farther;
+}
+
+}  // namespace
+
 void add_shallow_openings(std::vector<FoundRectangle>&& shallow, std::vector<FoundRectangle>& found) {
   for (FoundRectangle& s : shallow) {
     const Box2 own = s.box();
     const bool known = std::any_of(found.begin(), found.end(), [&](const FoundRectangle& o) {
-      return shared_area(own, o.box()) > kPieceShare * area_of_box(own);
+      return shared_area(own, o.box()) > kPieceShare * area_of_box(own) && !is_part(o, s);
     });
     if (known) continue;
     std::erase_if(

@@ -282,15 +282,20 @@ void look(const RaySamples& samples, const WallCells& cells, std::vector<ViewedH
   for (ViewedHole& h : holes) h.hole.crossed = is_crossed(h, about, cells.cell);
 }
 
-// The holes that only bars divide, each as a whole.
-std::vector<ViewedHole> barred_holes(const WallCells& cells, const std::vector<ViewedHole>& viewed) {
-  std::vector<WallHole> holes;
-  for (const ViewedHole& h : viewed) holes.push_back(h.hole);
-  std::vector<ViewedHole> barred;
-  for (CellRegion& region : regions_over_bars(holes, cells))
+// Finds which holes rays crossed that only bars divide: all panes of a window, where they crossed it as a whole.
+void look_over_bars(const RaySamples& samples, const WallCells& cells, std::vector<ViewedHole>& viewed) {
+  std::vector<WallHole> panes;
+  for (const ViewedHole& h : viewed) panes.push_back(h.hole);
+  std::vector<ViewedHole> windows;
+  for (CellRegion& region : regions_over_bars(panes, cells))
     if (std::optional<ViewedHole> h = viewed_hole(cells, std::move(region), kLeastEmpty))
-      barred.push_back(std::move(*h));
-  return barred;
+      windows.push_back(std::move(*h));
+  look(samples, cells, windows);
+  std::vector<bool> crossed(cells.what.size(), false);
+  for (const ViewedHole& w : windows)
+    if (w.hole.crossed && w.hole.straight)
+      for (const std::uint32_t i : w.hole.region.cells) crossed[i] = true;
+  for (ViewedHole& h : viewed) h.hole.crossed |= crossed[h.hole.region.cells.front()];
 }
 
 }  // namespace
@@ -298,23 +303,16 @@ std::vector<ViewedHole> barred_holes(const WallCells& cells, const std::vector<V
 std::vector<WallHole> find_holes(const RaySamples& samples, const WallCells& cells, double least_size) {
   std::vector<WallHole> holes;
   std::vector<bool> taken(cells.what.size(), false);
-  const auto take = [&](std::vector<ViewedHole>& viewed) {
+  // Openings first, whole; then what something before them leaves of them. What stays was not seen.
+  for (const Ends ends : {Ends::at_wall, Ends::at_all_things}) {
+    std::vector<ViewedHole> viewed = viewed_holes(cells, taken, least_size, ends, kLeastEmpty);
+    look(samples, cells, viewed);
+    look_over_bars(samples, cells, viewed);
     for (ViewedHole& h : viewed) {
       if (!h.hole.crossed || !h.hole.straight) continue;
       for (const std::uint32_t i : h.hole.region.cells) taken[i] = true;
       holes.push_back(std::move(h.hole));
     }
-  };
-  // Openings first, whole, and such as only bars divide; then what something before them leaves of them. What stays was
-  // not seen.
-  for (const Ends ends : {Ends::at_wall, Ends::at_all_things}) {
-    std::vector<ViewedHole> viewed = viewed_holes(cells, taken, least_size, ends, kLeastEmpty);
-    look(samples, cells, viewed);
-    std::vector<ViewedHole> barred = barred_holes(cells, viewed);
-    look(samples, cells, barred);
-    take(barred);
-    std::erase_if(viewed, [&](const ViewedHole& h) { return taken[h.hole.region.cells.front()]; });
-    take(viewed);
   }
   for (ViewedHole& h : viewed_holes(cells, taken, least_size, Ends::at_wall, 0)) holes.push_back(std::move(h.hole));
   return holes;

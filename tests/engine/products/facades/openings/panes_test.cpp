@@ -60,5 +60,26 @@ TEST(Panes, NothingIsJoinedInCellsThatDoNotShowBars) {
   EXPECT_DOUBLE_EQ(found[0].at(Side::right), 1.83);
 }
 
+TEST(Panes, OneAboveTheOtherIsJoinedInLargeCellsToo) {
+  std::vector<FoundRectangle> found{pane({1, 2, 1, 1.8}), pane({1, 2, 1.9, 2.6})};
+  join_panes(0.12, found);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_DOUBLE_EQ(found[0].at(Side::top), 2.6);
+}
+
+TEST(Panes, APaneWithAnArchGivesTheHead) {
+  std::vector<FoundRectangle> found{pane({1, 2, 1, 1.8}), pane({1, 2, 1.86, 2.6})};
+  found[1].arc = TopArc{{1.5, 2.1}, 0.5};
+  join_panes(0.04, found);
+  ASSERT_EQ(found.size(), 1u);
+  ASSERT_TRUE(found[0].arc);
+  EXPECT_DOUBLE_EQ(found[0].arc->radius, 0.5);
+  EXPECT_DOUBLE_EQ(found[0].at(Side::bottom), 1);
+  found = {pane({1, 2, 1, 1.8}), pane({1, 2, 1.86, 2.6})};
+  found[0].arc = TopArc{{1.5, 1.3}, 0.5};  // a window below another one
+  join_panes(0.04, found);
+  EXPECT_EQ(found.size(), 2u);
+}
+
 }  // namespace
 }  // namespace ilot

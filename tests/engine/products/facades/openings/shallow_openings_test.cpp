@@ -50,6 +50,47 @@ TEST(ShallowOpenings, APaneThreeCentimetresBehindABowedWall) {
   for (const Side side : kSides) EXPECT_LT(found[0].error(side), 0.06);
 }
 
+// A pipe in the middle of a pane hides it from top to bottom.
+TEST(ShallowOpenings, APipeDividesNoPane) {
+  test::ScannedWall wall;
+  wall.wall({{2, -0.03, 2, 3.1, 1.2, 2.8, 0}});
+  wall.sheets.push_back({2, 0.12, 2.5, 2.58, 0.1, 3.9, 7});
+  FacadeSite site = test::scan_wall(wall, kShallowEye, kShallowStep, 999, kShallowNoise);
+  for (FacadePoint& p : site.points) p.plane = 0;
+  site.wall.clear();
+  const std::vector<FoundRectangle> found = find_openings(RaySamples(site));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].at(Side::left), 2, found[0].error(Side::left));
+  EXPECT_NEAR(found[0].at(Side::right), 3.1, found[0].error(Side::right));
+}
+
+// A panel before the wall hides a part of the pier between two panes: each is an opening of its own.
+TEST(ShallowOpenings, AHiddenPierDividesTwoPanes) {
+  test::ScannedWall wall;
+  wall.wall({{2, -0.03, 1, 2.2, 1.2, 2.8, 0}, {2, -0.03, 2.6, 3.8, 1.2, 2.8, 0}});
+  wall.sheets.push_back({2, 0.2, 2.25, 2.55, 1.3, 2, 7});
+  FacadeSite site = test::scan_wall(wall, {2.4, 1.5, 8}, kShallowStep, 999, kShallowNoise);
+  for (FacadePoint& p : site.points) p.plane = 0;
+  site.wall.clear();
+  const std::vector<FoundRectangle> found = find_openings(RaySamples(site));
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_LT(found[0].at(Side::right), 2.6);
+  EXPECT_GT(found[1].at(Side::left), 2.2);
+}
+
+// Twice the scatter is enough where there are several points a cell.
+TEST(ShallowOpenings, APaneAtTwiceTheScatter) {
+  test::ScannedWall wall;
+  wall.wall({{2, -0.03, 2, 3.1, 1.2, 2.8, 0}});
+  FacadeSite site = test::scan_wall(wall, kShallowEye, kShallowStep, 999, 0.013);
+  for (FacadePoint& p : site.points) p.plane = 0;
+  site.wall.clear();
+  const std::vector<FoundRectangle> found = find_openings(RaySamples(site));
+  ASSERT_EQ(found.size(), 1u);
+  for (const auto& [side, at] : {std::pair{Side::left, 2.0}, {Side::right, 3.1}, {Side::bottom, 1.2}, {Side::top, 2.8}})
+    EXPECT_NEAR(found[0].at(side), at, found[0].error(side));
+}
+
 TEST(ShallowOpenings, WhatLiesWithinTheNoiseOrIsAJointIsNone) {
   EXPECT_TRUE(find_openings(RaySamples(bowed({2, -0.01, 2, 3.1, 1.2, 2.8, 0}))).empty());
   EXPECT_TRUE(find_openings(RaySamples(bowed({2, -0.03, 0.5, 5.5, 2, 2.1, 0}))).empty());

@@ -126,6 +126,32 @@ TEST(SilentHoles, APointedArchWithoutAnEchoIsAnOpening) {
   EXPECT_NEAR(found[0].at(Side::bottom), 1, 0.05);
 }
 
+// Bars in the plane of the wall leave no wall beside the panes between them: the window shows as a whole that rays
+// crossed it.
+TEST(SilentHoles, BarsInThePlaneOfTheWallDivideNoWindow) {
+  const auto is_bar = [](double u, double v) { return std::abs(v - 2) < 0.03 || std::abs(u - 2.6) < 0.02; };
+  const FacadeSite site = wall_silent_where(
+      {1, 1.5, 8}, [&](double u, double v) { return u > 2 && u < 3.2 && v > 1.2 && v < 2.8 && !is_bar(u, v); });
+  const std::vector<FoundRectangle> found = find_openings(RaySamples(site));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].at(Side::left), 2, found[0].error(Side::left));
+  EXPECT_NEAR(found[0].at(Side::right), 3.2, found[0].error(Side::right));
+  EXPECT_NEAR(found[0].at(Side::bottom), 1.2, found[0].error(Side::bottom));
+  EXPECT_NEAR(found[0].at(Side::top), 2.8, found[0].error(Side::top));
+}
+
+// The same with a round head.
+TEST(SilentHoles, ABarDividesNoArchedWindow) {
+  const FacadeSite site = wall_silent_where({3, 1.5, 8}, [](double u, double v) {
+    const bool below = v > 0.6 && v <= 2.2 && std::abs(u - 3) < 0.6;
+    return (below || (v > 2.2 && std::hypot(u - 3, v - 2.2) < 0.6)) && std::abs(v - 1.4) > 0.03;
+  });
+  const std::vector<FoundRectangle> found = find_openings(RaySamples(site));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].at(Side::bottom), 0.6, 0.05);
+  EXPECT_GT(found[0].at(Side::top), 2.6);
+}
+
 // What becomes narrower on one side alone is the shadow of something, and no arch.
 TEST(SilentHoles, ASlantingHoleIsNoArch) {
   const FacadeSite site = wall_silent_where({1, 1.5, 8}, [](double u, double v) {
