@@ -7,15 +7,16 @@
 
 namespace ilot {
 
-// Finds the flat regions that lie behind the form of the wall (trend_surface.h) by at least three times the scatter of
-// its points and 1.2 cm, and no deeper than rays that are known to go through. Each is looked at once more with the
-// wall about it alone, which is levelled: what lies nearer to the wall than to the pane is wall there, and the sides
-// and the head are found as those of any opening. `cells` is the image of the wall. The order is from bottom to top,
-// and from left to right within a row. O(points).
+// Finds the flat regions that lie behind the form of the wall (trend_surface.h) by at least twice the scatter of its
+// points and 1.2 cm, and no deeper than rays that are known to go through. Each is looked at once more with the wall
+// about it alone, which is levelled: what lies nearer to the wall than to the pane is wall there, and the sides and the
+// head are found as those of any opening. `cells` is the image of the wall; those that rays crossed without an echo
+// belong to a region beside them. The order is from bottom to top, and from left to right within a row. O(points).
 std::vector<FoundRectangle> find_shallow_openings(const RaySamples& samples, const WallCells& cells,
                                                   const OpeningParams& params);
 
-// Adds shallow openings to others: they replace pieces of themselves, and are left out where a larger one was found.
+// Adds shallow openings to others: they replace pieces of themselves, and those beyond which they go on by more than
+// the errors of both; they are left out where a larger one was found.
 void add_shallow_openings(std::vector<FoundRectangle>&& shallow, std::vector<FoundRectangle>& found);
 
 }  // namespace ilot

@@ -28,9 +28,10 @@ struct UnseenArea {
 // behind it lies, except for those that end at a side or at the top of the wall. First come those that are crossed and
 // straight, whole or cut off by what stands before them, then the others.
 //
-// Rays of a station crossed a hole when points of this station are on the wall on all its sides: the scanner turned
-// through the hole on its way from one to the other. How many there were follows from the density of these points. Of
-// the cells of the hole, those are taken off before which a point of this station lies, near the wall or anywhere up
+// Rays of a station crossed a hole when this station fired on all its sides, whatever its rays met there: the scanner
+// turned through the hole on its way from one to the other. Holes that only bars divide are looked at as one, too
+// (barred_holes.h). How many rays there were follows from the density of the points on the wall beside the hole. Of the
+// cells of the hole, those are taken off before which a point of this station lies, near the wall or anywhere up
 // to the station (RaySamples::far_points). Where points of the street are missing from the cloud, what stood there may
 // be missing too; then a hole is crossed only if some rays ended in it behind the wall, on its reveals, or if the rays
 // of two stations crossed it. Without stations no hole is crossed. O(points).
