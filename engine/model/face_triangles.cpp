@@ -117,6 +117,14 @@ FacePlane plane_of(const LatticeVertices& vertices, const FaceRings& rings) {
   return plane;
 }
 
+double farthest_from(const FacePlane& plane, const LatticeVertices& vertices, const FaceRings& rings) {
+  double farthest = 0;
+  for (const auto& ring : rings)
+    for (const std::uint32_t i : ring)
+      farthest = std::max(farthest, std::abs(dot(plane.n, offset(vertices, i, plane.anchor) - plane.centre)));
+  return farthest;
+}
+
 std::vector<std::vector<Point2>> flattened(const FacePlane& plane, const LatticeVertices& vertices,
                                            const FaceRings& rings) {
   double widest = 0;

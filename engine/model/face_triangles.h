@@ -28,6 +28,9 @@ Vec3 offset(const LatticeVertices& vertices, std::uint32_t vertex, Index3 from);
 
 FacePlane plane_of(const LatticeVertices& vertices, const FaceRings& rings);
 
+// The largest distance of a corner from the plane.
+double farthest_from(const FacePlane& plane, const LatticeVertices& vertices, const FaceRings& rings);
+
 // Returns the corners on the plane, in steps of the vertices' lattice. The steps are coarser only when the face is too
 // wide for them.
 std::vector<std::vector<Point2>> flattened(const FacePlane& plane, const LatticeVertices& vertices,

@@ -14,14 +14,6 @@
 namespace ilot {
 namespace {
 
-double farthest_from(const FacePlane& plane, const LatticeVertices& vertices, const FaceRings& rings) {
-  double farthest = 0;
-  for (const auto& ring : rings)
-    for (const std::uint32_t i : ring)
-      farthest = std::max(farthest, std::abs(dot(plane.n, offset(vertices, i, plane.anchor) - plane.centre)));
-  return farthest;
-}
-
 bool has_equal_neighbours(const std::vector<std::uint32_t>& ring) {
   return ring.front() == ring.back() || std::adjacent_find(ring.begin(), ring.end()) != ring.end();
 }

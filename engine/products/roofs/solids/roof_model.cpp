@@ -20,6 +20,7 @@
 #include "engine/products/roofs/faces/roof_planes.h"
 #include "engine/products/roofs/faces/supported_roof.h"
 #include "engine/products/roofs/sites/outline_repair.h"
+#include "engine/products/roofs/solids/bent_faces.h"
 #include "engine/products/roofs/solids/roof_solid.h"
 #include "engine/products/roofs/solids/step_parts.h"
 #include "kernels/core/quantile.h"
@@ -135,19 +136,22 @@ constexpr Sharing kSharing[]{{kSameHeight, 0.003},
                              {0.15 * kSameHeight, 0.06}};
 
 // Raises the faces so that the check accepts the solid. It tries one way of sharing vertices after the other: a face
-// that shares vertices bends, by little in metres but by much in degrees where it is narrow. Returns nullopt when the
+// that shares vertices bends, by little in metres but by much in degrees where it is narrow. What is accepted may still
+// bend by some millimetres; such faces are divided. Returns nullopt when the
 // check accepts none; `reason` is then the fault of the first one.
 std::optional<Building> raised(const RoofSite& site, const Partition& faces, std::span<const RoofPlane> planes,
                                const char* lod, double metres_per_unit, const SolidCheck& check, std::string& reason) {
   for (const Sharing& sharing : kSharing) {
     Partition closed = faces;
     close_short_edges(closed, site.outline, sharing.shortest);
-    Building b = building_of(site, extrude_roof(std::move(closed), planes, site.ground, sharing.same_height), lod,
-                             metres_per_unit);
+    RoofSolid solid = extrude_roof(std::move(closed), planes, site.ground, sharing.same_height);
+    Building b = building_of(site, solid, lod, metres_per_unit);
     std::string fault = check(b);
     if (fault.empty()) {
       reason.clear();
-      return b;
+      if (!divide_bent_faces(solid)) return b;
+      Building divided = building_of(site, std::move(solid), lod, metres_per_unit);
+      return check(divided).empty() ? divided : b;
     }
     if (reason.empty()) reason = std::move(fault);
   }
