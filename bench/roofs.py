@@ -4,7 +4,7 @@
 faces, measured by the same code (`ilot evaluate --models`), and whether the solids are valid (`ilot validate`). Needs
 ILOT_DATA.
 
-usage: bench/roofs.py [ILOT] [--only NAME ...]
+usage: bench/roofs.py [ILOT] [--maker ILOT] [--only NAME ...]
 """
 import argparse
 import json
@@ -22,6 +22,7 @@ BUILDINGS = ["--set", "classes.building=[0,1,6]"]  # clouds that contain only bu
 def arguments():
     parser = argparse.ArgumentParser(prog="bench/roofs.py", description=__doc__)
     parser.add_argument("ilot", nargs="?", default=str(ROOT / "build/release/tools/ilot"), help="the program [build/release]")
+    parser.add_argument("--maker", metavar="ILOT", help="an earlier program that makes the models; the first one judges")
     parser.add_argument("--only", nargs="*", metavar="NAME", help="these data sets alone, e.g. delft")
     return parser.parse_args()
 
@@ -78,11 +79,11 @@ def line(name, who, buildings, extra):
           f"{quantile(rmse, .95):.3f} | {quantile(share, .5):.3f} | {quantile(share, .1):.3f} | {extra} |", flush=True)
 
 
-def measure(ilot, row, folder):
+def measure(ilot, maker, row, folder):
     name, clouds, run_options, judge_options, rivals = row
     ours, counts = [], {"lod22": 0, "lod12": 0, "footprint_only": 0, "valid": 0}
     for batch in [[c] for c in clouds] if judge_options == ONE_BUILDING else [clouds]:
-        call([ilot, "run", *batch, "-o", folder, "--overwrite", "--products", "roofs", "-q", *run_options])
+        call([maker, "run", *batch, "-o", folder, "--overwrite", "--products", "roofs", "-q", *run_options])
         record = json.loads((folder / "run.json").read_text())["counts"]["roofs"]
         counts = {key: counts[key] + record[key] for key in counts}
         models = folder / "roofs/roofs.city.jsonl"
@@ -105,7 +106,7 @@ def main():
     with tempfile.TemporaryDirectory() as work:
         for row in sets(pathlib.Path(os.environ["ILOT_DATA"])):
             if not options.only or row[0].split(",")[0] in options.only:
-                measure(options.ilot, row, pathlib.Path(work) / "out")
+                measure(options.ilot, options.maker or options.ilot, row, pathlib.Path(work) / "out")
 
 
 if __name__ == "__main__":

@@ -5,7 +5,8 @@ building without classes and ground. Each roof is made twice: with the true outl
 from above), and without an outline. The two halves are every second roof by name: the method was worked on with the first
 one, the result is the figure of the second one. Needs ILOT_DATA.
 
-usage: bench/wireframes.py [ILOT] [--half worked_on|others|both] [--only NAME ...] [--set KEY=VALUE ...] [--keep FOLDER] [--list]
+usage: bench/wireframes.py [ILOT] [--maker ILOT] [--half worked_on|others|both] [--only NAME ...]
+           [--set KEY=VALUE ...] [--keep FOLDER] [--list]
 """
 import argparse
 import gzip
@@ -25,6 +26,7 @@ def arguments():
     parser = argparse.ArgumentParser(prog="bench/wireframes.py", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("ilot", nargs="?", default=str(ROOT / "build/release/tools/ilot"), help="the program [build/release]")
+    parser.add_argument("--maker", metavar="ILOT", help="an earlier program that makes the models; the first one judges")
     parser.add_argument("--half", choices=("worked_on", "others", "both"), default="both")
     parser.add_argument("--only", nargs="*", metavar="NAME", help="these roofs alone")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="a setting of the runs")
@@ -160,7 +162,7 @@ def judge(options, wireframe, folder, with_outline):
     with gzip.open(wireframe.with_suffix(".xyz.gz"), "rt") as source:
         cloud.write_text("".join(" ".join(line.split()[:3]) + "\n" for line in source))
     out = folder / f"{wireframe.stem}_{'outline' if with_outline else 'none'}"
-    command = [options.ilot, "run", cloud, "-o", out, "--overwrite", "--products", "roofs", "-q",
+    command = [options.maker or options.ilot, "run", cloud, "-o", out, "--overwrite", "--products", "roofs", "-q",
                "--crs", "EPSG:3301", "--set", "classes.building=[0,1,6]"]
     for setting in options.set:
         command += ["--set", setting]

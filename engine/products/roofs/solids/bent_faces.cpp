@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/model/face_triangles.h"
+#include "engine/products/roofs/solids/planar_pieces.h"
 
 namespace ilot {
 namespace {
@@ -23,9 +23,18 @@ bool bent(const LatticeVertices& vertices, const FaceRings& rings, double most_b
   return !is_one_triangle(rings) && farthest_from(plane_of(vertices, rings), vertices, rings) > most_bent;
 }
 
+std::vector<std::vector<std::uint32_t>> divided(const LatticeVertices& vertices, const FaceRings& rings, Division how,
+                                                double most_bent) {
+  if (how == Division::pieces) return planar_pieces(vertices, rings, most_bent);
+  std::vector<std::vector<std::uint32_t>> triangles;
+  for (const TriangleCorners& corners : triangulate_face(vertices, rings))
+    triangles.emplace_back(corners.begin(), corners.end());
+  return triangles;
+}
+
 }  // namespace
 
-bool divide_bent_faces(RoofSolid& solid, double most_bent) {
+bool divide_bent_faces(RoofSolid& solid, Division how, double most_bent) {
   const LatticeVertices vertices = lattice_of(solid);
   std::vector<BuildingSurface> surfaces;
   for (BuildingSurface& surface : solid.surfaces) {
@@ -33,16 +42,16 @@ bool divide_bent_faces(RoofSolid& solid, double most_bent) {
       surfaces.push_back(std::move(surface));
       continue;
     }
-    for (const TriangleCorners& corners : triangulate_face(vertices, surface.rings)) {
-      BuildingSurface triangle;
-      triangle.plane_id = surface.plane_id;
-      triangle.rings.push_back({corners.begin(), corners.end()});
-      surfaces.push_back(std::move(triangle));
+    for (std::vector<std::uint32_t>& ring : divided(vertices, surface.rings, how, most_bent)) {
+      BuildingSurface piece;
+      piece.plane_id = surface.plane_id;
+      piece.rings.push_back(std::move(ring));
+      surfaces.push_back(std::move(piece));
     }
   }
-  const bool divided = surfaces.size() != solid.surfaces.size();
+  const bool changed = surfaces.size() != solid.surfaces.size();
   solid.surfaces = std::move(surfaces);
-  return divided;
+  return changed;
 }
 
 }  // namespace ilot

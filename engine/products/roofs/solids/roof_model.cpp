@@ -149,9 +149,13 @@ std::optional<Building> raised(const RoofSite& site, const Partition& faces, std
     std::string fault = check(b);
     if (fault.empty()) {
       reason.clear();
-      if (!divide_bent_faces(solid)) return b;
-      Building divided = building_of(site, std::move(solid), lod, metres_per_unit);
-      return check(divided).empty() ? divided : b;
+      for (const Division how : {Division::pieces, Division::triangles}) {
+        RoofSolid divided = solid;
+        if (!divide_bent_faces(divided, how)) break;
+        Building planar = building_of(site, std::move(divided), lod, metres_per_unit);
+        if (check(planar).empty()) return planar;
+      }
+      return b;
     }
     if (reason.empty()) reason = std::move(fault);
   }

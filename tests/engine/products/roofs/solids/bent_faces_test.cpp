@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
+#include "engine/products/roofs/solids/planar_pieces.h"
 #include "engine/validity/validity.h"
 #include "kernels/core/rng.h"
 #include "tests/support/roof_sites.h"
@@ -42,7 +44,7 @@ RoofSolid saddle(double apart) {
 TEST(BentFaces, PlanarFacesStay) {
   RoofSolid solid = saddle(0);
   const std::size_t surfaces = solid.surfaces.size();
-  EXPECT_FALSE(divide_bent_faces(solid));
+  EXPECT_FALSE(divide_bent_faces(solid, Division::pieces));
   EXPECT_EQ(solid.surfaces.size(), surfaces);
 }
 
@@ -53,10 +55,28 @@ TEST(BentFaces, TrianglesOfAFaceThatSharesItsVertices) {
   ASSERT_FALSE(bent.empty());
   EXPECT_EQ(bent[0], 203);
   const std::size_t vertices = solid.vertices.size();
-  EXPECT_TRUE(divide_bent_faces(solid));
+  EXPECT_TRUE(divide_bent_faces(solid, Division::triangles));
   EXPECT_TRUE(faults_of(solid, 0.001).empty());
   EXPECT_EQ(solid.vertices.size(), vertices);
   for (const BuildingSurface& s : solid.surfaces) EXPECT_EQ(s.plane_id > 0, s.kind == SurfaceKind::roof);
+}
+
+// One corner of a face of many that is off costs one triangle.
+TEST(BentFaces, OneCornerThatIsOffIsCutOff) {
+  std::vector<Index3> points;
+  FaceRings rings(1);
+  for (int i = 0; i < 12; ++i) {
+    const double turn = i * M_PI / 6;
+    points.push_back({std::llround(50000 * std::cos(turn)), std::llround(50000 * std::sin(turn)), i == 5 ? 20 : 0});
+    rings[0].push_back(static_cast<std::uint32_t>(i));
+  }
+  const auto pieces = planar_pieces({points, 1e-4}, rings, kMostBent);
+  ASSERT_GE(pieces.size(), 2u);
+  EXPECT_LE(pieces.size(), 4u);
+  EXPECT_GE(pieces[0].size(), 9u);
+  std::size_t corners = 0;
+  for (const auto& ring : pieces) corners += ring.size() - 2;
+  EXPECT_EQ(corners, 10u);  // as many triangles as the face has
 }
 
 // Roofs of many faces whose heights at common corners differ at random.
@@ -76,10 +96,13 @@ TEST(BentFaces, RandomRoofsBecomePlanar) {
       planes.push_back(sloping(0.00004 * rng.uniform(), 0.00004 * rng.uniform(), 5 + 0.009 * rng.uniform()));
     RoofSolid solid = extrude_roof(faces, planes, 0);
     ASSERT_TRUE(faults_of(solid, 0.01).empty());
-    divided += divide_bent_faces(solid, 0.0003);
-    EXPECT_TRUE(faults_of(solid, 0.0004).empty()) << n;
+    for (const Division how : {Division::pieces, Division::triangles}) {
+      RoofSolid planar = solid;
+      divided += divide_bent_faces(planar, how, 0.0003);
+      EXPECT_TRUE(faults_of(planar, 0.0004).empty()) << n;
+    }
   }
-  EXPECT_GT(divided, 20);
+  EXPECT_GT(divided, 40);
 }
 
 }  // namespace
