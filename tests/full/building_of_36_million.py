@@ -9,7 +9,7 @@ import large_building
 from support import main
 
 large_building.POINTS = 36000000
-large_building.BUDGETS = (("256M", 2), ("2G", 2))
+large_building.BUDGETS = ((256, 2), (2048, 2))
 large_building.SECONDS = 3600
 
 if __name__ == "__main__":

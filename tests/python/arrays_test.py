@@ -2,39 +2,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """Arrays of wrong shape, type, order and length, that are empty, read-only, or hold NaN, in each function of the Python package that
 takes arrays. ILOT_EXE names the program."""
-import os
-import pathlib
-import subprocess
-import tempfile
 import unittest
 
 import numpy as np
 
 import ilot
+from scanned_case import ScannedCase
 
-EXE = os.environ["ILOT_EXE"]
 
-
-class Arrays(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.room = tempfile.TemporaryDirectory()
-        cls.folder = pathlib.Path(cls.room.name)
-        cls.cloud = cls.folder / "cloud.laz"
-        subprocess.run([EXE, "scan", "district", "-o", cls.cloud, "--points", "20000", "-q"], check=True)
-        points = ilot.read_cloud(cls.cloud)
-        cls.places = points["x"], points["y"], points["z"]
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.room.cleanup()
-
-    def refused(self, words, function, *arguments, **keywords):
-        with self.assertRaises(ilot.Error) as fault:
-            function(*arguments, **keywords)
-        self.assertEqual(fault.exception.code, 2)
-        self.assertIn(words, str(fault.exception))
-
+class Arrays(ScannedCase):
     def test_wrong_arrays_are_refused(self):
         x, y, z = self.places
         for bad, words in ((x.astype("f4"), "float32"), (x[::2], "contiguous"), (x.reshape(2, -1), "one dimension"),

@@ -11,36 +11,17 @@ import signal
 import sqlite3
 import subprocess
 import sys
-import tempfile
 import threading
 import unittest
 
 import numpy as np
 
 import ilot
+from scanned_case import EXE, ScannedCase
 
-EXE = os.environ["ILOT_EXE"]
 
-
-class Package(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.room = tempfile.TemporaryDirectory()
-        cls.folder = pathlib.Path(cls.room.name)
-        cls.cloud = cls.folder / "cloud.laz"
-        subprocess.run([EXE, "scan", "district", "-o", cls.cloud, "--points", "60000", "-q"], check=True)
-        cls.points = ilot.read_cloud(cls.cloud)
-        cls.places = cls.points["x"], cls.points["y"], cls.points["z"]
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.room.cleanup()
-
-    def refused(self, words, function, *arguments, code=2, **keywords):
-        with self.assertRaises(ilot.Error) as fault:
-            function(*arguments, **keywords)
-        self.assertEqual(fault.exception.code, code)
-        self.assertIn(words, str(fault.exception))
+class Package(ScannedCase):
+    POINTS = 60000
 
     def test_runs_are_those_of_the_program(self):
         subprocess.run([EXE, "run", self.cloud, "-o", self.folder / "program", "-q", "--products", "planes,roofs", "--set",
