@@ -149,7 +149,8 @@ class Scale(RunTest):
         broken = self.task(plan, 1, "--work", "/dev/null/none")
         self.assertEqual(broken.returncode, 75, broken.stderr)
         stopped = subprocess.Popen([EXE, "task", plan, "1", "--threads", "1", "-q"], stderr=subprocess.DEVNULL)
-        time.sleep(0.3)
+        while stopped.poll() is None and not any(p.name.startswith(".") for p in (plan / "parts").iterdir()):
+            time.sleep(0.001)  # its folder is there once it hears signals
         stopped.send_signal(signal.SIGTERM)
         self.assertIn(stopped.wait(), (75, 0, 3))
         (plan / "parts/1").unlink(missing_ok=True)

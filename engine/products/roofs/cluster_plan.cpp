@@ -21,52 +21,74 @@ constexpr double kLeastDistance = 0.5;  // metres [Boltcheva et al. 2019, 3.1]
 constexpr double kStepsOfDistance = 2;  // sampling steps
 // Choice: the cells of the median of density; time alone beyond 1 m.
 constexpr double kCountingCell = 2.1;  // metres, at most
-constexpr std::uint64_t kBytesToCount = 16, kBytesToOutline = 256;
+constexpr std::uint64_t kBytesToCount = 24, kBytesToOutline = 256;
 constexpr std::int64_t kMillimetresPerMetre = 1000;
 
-// The building points of a block, and the squares of the plan that contain them.
-struct Occupied {
+// A square of the plan, and how many building points it has.
+struct CountedCell {
+  std::int64_t x = 0, y = 0;
   std::uint64_t points = 0;
-  std::vector<std::pair<std::int64_t, std::int64_t>> cells;
 };
 
-Occupied occupied_of(const Store& store, std::uint32_t block, int cell_bits) {
-  const auto roles = store.read(block, columns::kRole);
-  const auto codes = store.read(block, columns::kCodes);
-  Occupied o;
-  for (std::size_t i = 0; i < roles.size(); ++i) {
-    if (roles[i] != PointRole::building) continue;
-    ++o.points;
-    const Index3 p = index_of({store.blocks()[block].node.tile, codes[i]});
-    const std::pair cell{p.x >> cell_bits, p.y >> cell_bits};
-    if (o.cells.empty() || o.cells.back() != cell) o.cells.push_back(cell);
-  }
-  std::sort(o.cells.begin(), o.cells.end());
-  o.cells.erase(std::unique(o.cells.begin(), o.cells.end()), o.cells.end());
-  return o;
+bool same_cell(const CountedCell& a, const CountedCell& b) {
+  return a.x == b.x && a.y == b.y;
 }
 
-// The distance between building points in metres: the square root of the area that they occupy per point.
+// Sorts cells and adds up those that are the same.
+void add_up(std::vector<CountedCell>& cells) {
+  std::sort(cells.begin(), cells.end(),
+            [](const CountedCell& a, const CountedCell& b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); });
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < cells.size(); ++i) {
+    if (same_cell(cells[last], cells[i])) {
+      cells[last].points += cells[i].points;
+    } else {
+      cells[++last] = cells[i];
+    }
+  }
+  cells.resize(std::min(cells.size(), last + 1));
+}
+
+std::vector<CountedCell> cells_of(const Store& store, std::uint32_t block, int cell_bits) {
+  const auto roles = store.read(block, columns::kRole);
+  const auto codes = store.read(block, columns::kCodes);
+  std::vector<CountedCell> cells;
+  for (std::size_t i = 0; i < roles.size(); ++i) {
+    if (roles[i] != PointRole::building) continue;
+    const Index3 p = index_of({store.blocks()[block].node.tile, codes[i]});
+    const CountedCell cell{p.x >> cell_bits, p.y >> cell_bits, 1};
+    if (!cells.empty() && same_cell(cells.back(), cell)) {
+      ++cells.back().points;
+    } else {
+      cells.push_back(cell);
+    }
+  }
+  add_up(cells);
+  return cells;
+}
+
+// The distance between building points in metres, from the median of their density: walls may have many more points in
+// the plan than roofs, and stand in fewer cells.
 double sampling_step(const Store& store, const PassContext& context) {
   const double unit = store.unit() * context.metres_per_unit;
   int cell_bits = 0;
   while (cell_bits < 40 && std::ldexp(unit, cell_bits + 1) <= kCountingCell) ++cell_bits;
   std::vector<PassTask> tasks;
   for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesToCount, b.points});
-  std::vector<Occupied> parts(tasks.size());
+  std::vector<std::vector<CountedCell>> parts(tasks.size());
   run_pass(tasks, context.budget_bytes,
-           [&](std::size_t i) { parts[i] = occupied_of(store, static_cast<std::uint32_t>(i), cell_bits); });
-  std::vector<std::pair<std::int64_t, std::int64_t>> cells;
-  std::uint64_t points = 0;
-  for (Occupied& o : parts) {
-    points += o.points;
-    cells.insert(cells.end(), o.cells.begin(), o.cells.end());
-    o = {};
+           [&](std::size_t i) { parts[i] = cells_of(store, static_cast<std::uint32_t>(i), cell_bits); });
+  std::vector<CountedCell> cells;
+  for (std::vector<CountedCell>& part : parts) {
+    cells.insert(cells.end(), part.begin(), part.end());
+    part = {};
   }
-  std::sort(cells.begin(), cells.end());
-  const auto count = std::unique(cells.begin(), cells.end()) - cells.begin();
-  const double side = std::ldexp(unit, cell_bits);
-  return points == 0 ? 0 : std::sqrt(static_cast<double>(count) * side * side / static_cast<double>(points));
+  if (cells.empty()) return 0;
+  add_up(cells);
+  const auto middle = cells.begin() + static_cast<std::ptrdiff_t>(cells.size() / 2);
+  std::nth_element(cells.begin(), middle, cells.end(),
+                   [](const CountedCell& a, const CountedCell& b) { return a.points < b.points; });
+  return std::ldexp(unit, cell_bits) / std::sqrt(static_cast<double>(middle->points));
 }
 
 // The distance is a multiple of kLeastDistance by a power of the square root of two, so that a part of a cloud and the

@@ -124,6 +124,19 @@ void give_normals(const NeighbourIndex& index, const NeighbourLists& neighbours,
   }
 }
 
+// Measures the points again without those on walls. Where walls were scanned so much more densely than the roof that
+// its own step is a gap by theirs, the roof's counts.
+Sampling sampling_of_roof(const Cloud& c, const Sampling& all) {
+  std::vector<Vec3> others;
+  for (std::size_t i = 0; i < c.size; ++i)
+    if (std::abs(c.nz[i]) >= kSteepest) others.push_back(kUnit * c.position(static_cast<std::uint32_t>(i)));
+  // Choice: as seen_from() decides that walls were seen.
+  if (4 * others.size() > 3 * c.size) return all;
+  const Cloud roof = cloud_of(others);
+  const Sampling found = measure_sampling(build_neighbour_index(roof.points()));
+  return found.step > kPlaneGapSteps * all.step ? found : all;
+}
+
 std::vector<Moments> moments_of_planes(const Cloud& c, const PlaneSegments& s) {
   std::vector<std::vector<std::uint32_t>> members(s.planes.size());
   for (std::uint32_t i = 0; i < c.size; ++i)
@@ -231,12 +244,16 @@ RoofPlanes find_roof_planes(const RoofSite& site, const RoofModelParams& params)
   std::vector<std::int64_t> reach2;
   const std::vector<std::uint32_t> lists = neighbours_of_all(index, reach2);
   const NeighbourLists neighbours{lists, kNeighbours};
-  const Sampling sampling = measure_sampling(c.points(), lists, reach2);
-  r.step = sampling.step * kUnit;
-  r.epsilon = params.epsilon > 0
-                  ? params.epsilon
-                  : std::clamp(kNoiseFactor * sampling.noise * kUnit, params.least_epsilon, params.most_epsilon);
-  give_normals(index, neighbours, reach2, sampling.step, r.epsilon / kUnit, c);
+  const auto use = [&](const Sampling& sampling) {
+    r.step = sampling.step * kUnit;
+    r.epsilon = params.epsilon > 0
+                    ? params.epsilon
+                    : std::clamp(kNoiseFactor * sampling.noise * kUnit, params.least_epsilon, params.most_epsilon);
+  };
+  const Sampling all = measure_sampling(c.points(), lists, reach2);
+  use(all);
+  give_normals(index, neighbours, reach2, all.step, r.epsilon / kUnit, c);
+  use(sampling_of_roof(c, all));
   const double by_area = kLeastFaceArea / std::max(r.step * r.step, 1e-6);
   const auto min_points = static_cast<std::uint32_t>(
       params.min_points > 0 ? params.min_points : std::max<double>(kFewestPoints, std::min(by_area, 1e6)));

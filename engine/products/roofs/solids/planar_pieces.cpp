@@ -42,7 +42,8 @@ Mesh mesh_of(const LatticeVertices& vertices, const FaceRings& rings) {
   return mesh;
 }
 
-// Triangles whose union has one ring that passes no vertex twice, because each adds a corner that the piece did not have.
+// Triangles whose union has one ring that passes no vertex twice, because each adds a corner that the piece did not
+// have.
 class Piece {
  public:
   Piece(const LatticeVertices& vertices, const Mesh& mesh, const std::vector<std::uint8_t>& taken, double most_bent)

@@ -227,6 +227,33 @@ TEST(RoofsProduct, PointsBesideAnOutlineWithoutABuildingPointHaveNoFace) {
             "none of the points in its outline is a building's");
 }
 
+// Rows of a flight a metre apart over a gable, and walls whose rows have a point every 3 cm: most points are the
+// walls'.
+TEST(RoofsProduct, DenseWallsDoNotHideTheRoof) {
+  const Village village;
+  Rng rng(5);
+  std::vector<Index3> points;
+  const auto noise = [&] { return static_cast<std::int64_t>(rng.below(41)) - 20; };
+  const auto add = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
+    points.push_back({84000000 + x + noise(), 447000000 + y + noise(), z + noise()});
+  };
+  for (std::int64_t x = 0; x <= 16000; x += 1000) {
+    for (std::int64_t y = 0; y <= 12000; y += 500) add(x, y, 6000 + std::min(y, 12000 - y) / 2);
+    for (const std::int64_t y : {0, 12000})
+      for (std::int64_t z = 3000; z < 6000; z += 30) add(x, y, z);
+  }
+  const auto cloud = village.folder.path() / "walls.las";
+  test::write_cloud(cloud, points, std::vector<std::uint8_t>(points.size(), 6));
+  const RoofsOutcome out = run_village(village, "out", [&](RunOptions& o) {
+    o.inputs = {cloud};
+    o.footprints.clear();
+  });
+  ASSERT_EQ(out.ids.size(), 1u);
+  EXPECT_EQ(out.record["counts"]["roofs"]["lod22"], 1);
+  EXPECT_NEAR(attribute(out, out.ids[0], "h_roof_max"), 9, 0.2);
+  EXPECT_NEAR(attribute(out, out.ids[0], "area_m2"), 16 * 12, 10);
+}
+
 TEST(RoofsProduct, PointsKnowTheirBuildingFaceAndLabel) {
   const Village village;
   const RoofsOutcome out = run_village(village, "out");
