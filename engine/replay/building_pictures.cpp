@@ -53,7 +53,7 @@ Picture point_picture(const BuildingReplay& b, const std::vector<SeenPoint>& see
 Picture plane_picture(const BuildingReplay& b) {
   Picture picture = begin(b, "2-planes", std::to_string(b.steps.roof.planes.planes.size()) + " planes");
   const RoofPlanes& planes = b.steps.roof.planes;
-  const auto& points = b.steps.gathered.site.points;
+  const auto& points = b.steps.roof.points;
   for (std::size_t i = 0; i < planes.of_point.size(); ++i) {
     const std::uint32_t plane = planes.of_point[i];
     const PictureColour colour = plane > 0 ? colour_of_number(plane) : planes.on_wall[i] != 0 ? kInk : kGrey;
@@ -69,7 +69,7 @@ Picture plane_picture(const BuildingReplay& b) {
 Picture line_picture(const BuildingReplay& b) {
   Picture picture = begin(b, "3-lines", std::to_string(b.steps.roof.lines.size()) + " lines that part the outline");
   const RoofPlanes& planes = b.steps.roof.planes;
-  const auto& points = b.steps.gathered.site.points;
+  const auto& points = b.steps.roof.points;
   for (std::size_t i = 0; i < planes.of_point.size(); ++i)
     picture.points.push_back({{points[i].x, points[i].y}, light(colour_of_number(planes.of_point[i]))});
   add_outline(picture, b.planned.outline.polygon, kInk);
@@ -97,7 +97,7 @@ Picture face_picture(const BuildingReplay& b) {
   Picture picture = begin(b, "5-faces", std::to_string(roof.faces.regions) + " faces and the points off them");
   add_regions(
       picture, roof.faces, [](std::size_t r) { return colour_of_number(r + 1); }, kInk);
-  const auto& points = b.steps.gathered.site.points;
+  const auto& points = b.steps.roof.points;
   const auto& faces = b.steps.face_of_point;
   for (std::size_t i = 0; i < std::min(points.size(), faces.size()); ++i)
     if (faces[i] == 0) picture.points.push_back({{points[i].x, points[i].y}, kRed});

@@ -39,7 +39,7 @@ std::vector<SitePolygon> plane_hulls(const SiteSteps& steps) {
   std::vector<std::vector<Point2>> points(planes.planes.size());
   for (std::size_t i = 0; i < planes.of_point.size(); ++i) {
     if (planes.of_point[i] == 0) continue;
-    const Vec3& p = steps.gathered.site.points[i];
+    const Vec3& p = steps.roof.points[i];
     points[planes.of_point[i] - 1].push_back(
         {static_cast<std::int32_t>(std::lround(p.x * 1000)), static_cast<std::int32_t>(std::lround(p.y * 1000))});
   }

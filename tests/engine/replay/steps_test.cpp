@@ -34,6 +34,8 @@ TEST(RoofSteps, AModelIsTheSameWhetherSomebodyLooksOrNot) {
 TEST(RoofSteps, HullsHoldThePointsOfTheirPlanes) {
   SiteSteps steps;
   steps.gathered.site = gable();
+  for (const Vec3& p : steps.gathered.site.points)
+    if (p.y < 0.4) steps.gathered.site.beside.push_back(p + Vec3{0, -0.4, -0.6 * 0.4});
   model_roof(
       steps.gathered.site, {}, 1, [](const Building&) { return std::string(); }, &steps.roof);
   const std::vector<SitePolygon> hulls = plane_hulls(steps);
@@ -41,6 +43,10 @@ TEST(RoofSteps, HullsHoldThePointsOfTheirPlanes) {
   for (const SitePolygon& hull : hulls) {
     ASSERT_EQ(hull.size(), 1u);
     EXPECT_GT(hull[0].size(), 3u);
+    for (const Point2 p : hull[0]) {
+      EXPECT_TRUE(p.x >= 0 && p.x <= 10000) << p.x;
+      EXPECT_TRUE(p.y >= -400 && p.y <= 8000) << p.y;
+    }
   }
 }
 

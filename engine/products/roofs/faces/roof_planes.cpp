@@ -10,6 +10,7 @@
 #include "engine/products/planes/cells/auto_params.h"
 #include "engine/products/roofs/faces/level_tops.h"
 #include "engine/products/roofs/faces/plane_joining.h"
+#include "engine/products/roofs/faces/shown_heights.h"
 #include "kernels/core/portable_math.h"
 #include "kernels/core/rng.h"
 #include "kernels/core/union_find.h"
@@ -269,6 +270,7 @@ RoofPlanes find_roof_planes(const RoofSite& site, const RoofModelParams& params)
   sort_out(site, c, s, r);
   if (params.superstructures) add_level_tops(site, r);
   join_explained(c.points(), c.corner, params.detail, r);
+  widen_heights(site.points, neighbours, r);
   return r;
 }
 

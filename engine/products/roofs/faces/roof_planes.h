@@ -12,7 +12,7 @@ namespace ilot {
 // z = x * gx + y * gy + c: a plane that a roof face can lie on. Metres from the site's anchor.
 struct RoofPlane {
   double gx = 0, gy = 0, c = 0;
-  double lowest = 0, highest = 0;  // lowest and highest z of its points
+  double lowest = 0, highest = 0;  // lowest and highest z of the points that show it
   std::uint32_t points = 0;
   double at(double x, double y) const { return gx * x + gy * y + c; }
 };

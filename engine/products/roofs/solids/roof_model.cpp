@@ -290,7 +290,10 @@ RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double
   if (model.reason = too_sparse(site); !model.reason.empty()) return model;
   SupportedRoof roof = supported_roof(site, params);
   if (params.detail > 0) make_regular(roof.site.outline, roof.site.points, roof.planes);
-  if (steps != nullptr) steps->planes = roof.planes;
+  if (steps != nullptr) {
+    steps->points = roof.site.points;
+    steps->planes = roof.planes;
+  }
   if (!add_block(roof.site, roof.planes, params, metres_per_unit, check, model)) return model;
   if (roof.planes.planes.empty()) {
     model.reason = "no plane has enough points";
