@@ -13,6 +13,7 @@
 #include "engine/scale/run_task.h"
 #include "engine/settings/config.h"
 #include "engine/settings/parameters.h"
+#include "tools/ilot/allocator.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
 #include "tools/ilot/units.h"
@@ -86,6 +87,7 @@ int plan_command(const PlanArguments& given) {
   if (given.output.empty()) throw Error("plan: no folder given: -o PLAN (ilot plan --help)", ExitCode::usage);
   if (reads) throw Error("plan: --as and --estimate read a finished PLAN: leave -o out", ExitCode::usage);
   const PlanOptions options = options_of(given);
+  let_allocator_keep(options.run.memory_bytes, options.run.threads);
   ConsoleProgress progress(given.quiet ? Verbosity::quiet : Verbosity::normal, "");
   return make_plan(options, progress.get());
 }
@@ -117,9 +119,11 @@ int task_command(const TaskArguments& given) {
   if (label && !given.work.empty())
     throw Error("task: --work is for areas; label N writes beside its cloud, in OUT", ExitCode::usage);
   ConsoleProgress progress(given.quiet ? Verbosity::quiet : Verbosity::normal, "");
+  const std::uint64_t memory = memory_of(given.memory);
+  let_allocator_keep(memory, given.threads);
   return run_task({.plan = given.plan,
                    .number = number_of(given.what.back()),
-                   .memory_bytes = memory_of(given.memory),
+                   .memory_bytes = memory,
                    .threads = given.threads,
                    .work = given.work,
                    .label = label,
@@ -137,9 +141,11 @@ int merge_command(const MergeArguments& given) {
   if (given.plan.empty()) throw Error("merge: no PLAN given (ilot merge --help)", ExitCode::usage);
   if (given.output.empty()) throw Error("merge: no output folder given: -o OUT (ilot merge --help)", ExitCode::usage);
   ConsoleProgress progress(given.quiet ? Verbosity::quiet : Verbosity::normal, "");
-  return merge_parts({given.plan, given.output, given.allow_missing, !given.no_report, given.labels,
-                      memory_of(given.memory), given.threads},
-                     progress.get());
+  const std::uint64_t memory = memory_of(given.memory);
+  let_allocator_keep(memory, given.threads);
+  return merge_parts(
+      {given.plan, given.output, given.allow_missing, !given.no_report, given.labels, memory, given.threads},
+      progress.get());
 }
 
 void add_machine_options(CLI::App& command, std::string& memory, int& threads) {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <malloc.h>
-
 #include <algorithm>
 
 #include "engine/error.h"
-#include "engine/pass/resident.h"
 #include "engine/report/allowed_memory.h"
 #include "engine/run/inputs/inputs.h"
 #include "engine/run/inputs/read_area.h"
@@ -14,6 +11,7 @@
 #include "engine/settings/nearest_name.h"
 #include "engine/settings/parameters.h"
 #include "kernels/core/parallel.h"
+#include "tools/ilot/allocator.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
 #include "tools/ilot/units.h"
@@ -115,18 +113,6 @@ RunOptions options_of(const RunArguments& given) {
   return options;
 }
 
-// Sets how much memory the allocator may keep for the next request. Memory that returns to the system must be cleared
-// again by the system. The amount is a sixteenth of --memory, shared by the threads. A thread is served from pools up
-// to half of its share. Larger requests go to the system, and leave no gaps.
-void let_allocator_keep(std::uint64_t memory_bytes, int threads) {
-  constexpr std::uint64_t kLeastRequest = 128u << 10, kMostRequest = 32u << 20;  // the upper limit of the C library
-  const std::uint64_t request = memory_bytes / 32 / static_cast<std::uint64_t>(threads);
-  const auto kept = static_cast<int>(std::clamp(request, kLeastRequest, kMostRequest));
-  mallopt(M_ARENA_MAX, static_cast<int>(allocator_pools(memory_bytes, threads)));
-  mallopt(M_MMAP_THRESHOLD, kept);
-  mallopt(M_TRIM_THRESHOLD, 2 * kept);
-}
-
 int run_command(const RunArguments& given) {
   if (given.print_config) {
     print(print_config(settings_of(given)));
@@ -135,8 +121,7 @@ int run_command(const RunArguments& given) {
   const RunOptions options = options_of(given);
   const Verbosity verbosity = given.quiet ? Verbosity::quiet : (given.verbose ? Verbosity::verbose : Verbosity::normal);
   ConsoleProgress progress(verbosity, given.log);
-  const int wanted = options.threads > 0 ? options.threads : hardware_threads();
-  let_allocator_keep(options.memory_bytes, affordable_threads(options.memory_bytes, wanted));
+  let_allocator_keep(options.memory_bytes, options.threads);
   return run(options, progress.get(),
              [](std::span<const TrainingSample> samples) { return train_object_model(samples); });
 }
