@@ -25,7 +25,8 @@ struct StationTally {
   std::uint64_t recorded = 0, unrecorded = 0;  // numbers of points of the store
 };
 
-// Writes the column "station" (StationNumber) of every block. `inputs` and `recorded` are parallel lists. An input
+// Writes the column "station" (StationNumber) of every block. `inputs` and `recorded` are parallel lists; where
+// `inputs` is empty, the stations that rows record by point_source_id are those that the column has already. An input
 // whose rows record the station by point_source_id is read once more for this, into files of 2 bytes per row. Therefore
 // the memory is that of one block.
 StationTally stations_pass(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,

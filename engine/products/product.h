@@ -56,6 +56,8 @@ struct Product {
   const char* name = "";            // name in --products and run.json, of its settings and of its folder
   bool found_among_planes = false;  // the planes are made first, even if they are not asked for
   bool reads_classes = false;       // the store keeps class codes and echoes for the product
+  bool reads_colours = false;       // it reads the column "colour" where an input has colours
+  bool reads_stations = false;      // it reads the column "station" where there are several stations
   ProductCost cost;
   Suitability (*suitability)(const CloudInfo& info, const CloudMeasure& measure) = nullptr;
   // Makes the product: its columns in the store, its files, and its counts in the record. A product that finds nothing

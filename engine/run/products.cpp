@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/run/products.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "engine/products/facades/product.h"
@@ -29,6 +31,30 @@ std::vector<const Product*> products_to_make(const std::vector<std::string>& ask
   all.insert(all.end(), among_planes.begin(), among_planes.end());
   all.insert(all.end(), others.begin(), others.end());
   return all;
+}
+
+void make_all(std::span<const Product* const> products, ProductRun& run) {
+  run.outlines_wanted = std::ranges::any_of(products, &Product::found_among_planes);
+  for (const Product* product : products) product->make(run);
+}
+
+std::vector<ProductLabels> labels_of(std::span<const Product* const> made, ProductRun& run) {
+  std::vector<ProductLabels> labels;
+  for (const Product* product : all_products())
+    if (std::ranges::find(made, product) != made.end()) labels.push_back(product->labels(run));
+  run.planes.reset();
+  return labels;
+}
+
+std::string product_lines(const std::vector<std::string>& asked, const RunRecord& record,
+                          const std::filesystem::path& folder) {
+  std::string text;
+  for (const Product* product : all_products()) {
+    const std::string made = product->summary(record);
+    if (made.empty() || std::ranges::find(asked, product->name) == asked.end()) continue;
+    text += fmt::format("{:<9}{}: {}\n", product->name, made, (folder / product->main_file).string());
+  }
+  return text;
 }
 
 }  // namespace ilot

@@ -15,4 +15,14 @@ std::span<const Product* const> all_products();
 // Returns the products that are asked for and the planes that they need, in the order in which they are made.
 std::vector<const Product*> products_to_make(const std::vector<std::string>& asked);
 
+// Makes these products in their order. Sets run.outlines_wanted.
+void make_all(std::span<const Product* const> products, ProductRun& run);
+
+// What the products that were made say of points, in the order in which their classes count. Drops run.planes.
+std::vector<ProductLabels> labels_of(std::span<const Product* const> made, ProductRun& run);
+
+// A line for each product that was asked for: what was made, and the file in the folder that has it.
+std::string product_lines(const std::vector<std::string>& asked, const RunRecord& record,
+                          const std::filesystem::path& folder);
+
 }  // namespace ilot

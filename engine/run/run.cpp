@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/run/run.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
-#include "engine/deliverables/drawings/named_sections.h"
 #include "engine/deliverables/report/report.h"
 #include "engine/error.h"
 #include "engine/labels/labelled_clouds.h"
@@ -18,7 +15,6 @@
 #include "engine/products/facades/facade_edits.h"
 #include "engine/products/planes/cells/cells.h"
 #include "engine/products/planes/join/extend_pass.h"
-#include "engine/products/planes/make_boundaries.h"
 #include "engine/products/planes/make_planes.h"
 #include "engine/products/roofs/footprint_plan.h"
 #include "engine/products/streets/make_streets.h"
@@ -26,6 +22,7 @@
 #include "engine/report/product_files.h"
 #include "engine/report/resources.h"
 #include "engine/report/run_record.h"
+#include "engine/run/check_settings.h"
 #include "engine/run/forced_isa.h"
 #include "engine/run/inputs/area_in_crs.h"
 #include "engine/run/inputs/input_crs.h"
@@ -141,15 +138,6 @@ void warn_of_strays(const IndexResult& index, Progress& progress, RunRecord& rec
   record.warnings.push_back(text);
 }
 
-// Checks what only the inputs show about the settings, and lists whose numbers belong together.
-void check_settings(const RunOptions& options, const RunInputs& inputs) {
-  check_section_lines(options.settings.facades.section_lines);
-  const bool known = !scanners_of(inputs.stations, 1).empty();
-  if (options.settings.boundaries.step == StepSource::stations && !known)
-    throw Error("boundaries.step = stations: no station with its angular steps is known; give --stations",
-                ExitCode::usage);
-}
-
 // Holds the edits against each other, and counts those that no requested product makes.
 void check_edits(const RunOptions& options, const RunInputs& inputs, Progress& progress, RunRecord& record) {
   if (options.edits.empty()) return;
@@ -172,15 +160,6 @@ void warn_of_unused(const RunOptions& options, Progress& progress, RunRecord& re
   };
   check("--footprints", options.footprints, "roofs");
   check("--train", options.train, "streets");
-}
-
-// What the products that were made say of points, in the order in which their classes count.
-std::vector<ProductLabels> labels_of(std::span<const Product* const> made, ProductRun& work) {
-  std::vector<ProductLabels> labels;
-  for (const Product* product : all_products())
-    if (std::ranges::find(made, product) != made.end()) labels.push_back(product->labels(work));
-  work.planes.reset();
-  return labels;
 }
 
 // Executes the run step by step. All output goes to the staging folder.
@@ -206,11 +185,11 @@ void make_products(const RunOptions& options, const RunInputs& inputs, const std
                   options.footprints.empty() ? nullptr : &sites,
                   &training,
                   [&](const char* product) { return makes(options, product); },
-                  std::ranges::any_of(products, &Product::found_among_planes),
+                  false,
                   out.staging(),
                   progress,
                   record};
-  for (const Product* product : products) product->make(work);
+  make_all(products, work);
   const std::vector<ProductLabels> labels = labels_of(products, work);
 
   std::uint64_t labelled = 0;
@@ -233,12 +212,7 @@ void make_products(const RunOptions& options, const RunInputs& inputs, const std
 
 // Returns a line for each product with what was made and the file that has it, and one for the whole run.
 std::string summary(const RunOptions& options, const RunRecord& record) {
-  std::string text;
-  for (const Product* product : all_products()) {
-    const std::string made = product->summary(record);
-    if (made.empty() || !makes(options, product->name)) continue;
-    text += fmt::format("{:<9}{}: {}\n", product->name, made, (options.output / product->main_file).string());
-  }
+  std::string text = product_lines(options.products, record, options.output);
   const auto seconds = static_cast<std::uint64_t>(std::ceil(record.seconds));
   text += "all      " + counted(record.points.read, "point") + ", " + counted(seconds, "second") + ", peak " +
           std::to_string(record.peak_rss_bytes >> 20) + " MiB";
@@ -310,7 +284,7 @@ int run_in_arena(const RunOptions& given, const TrainObjectModel& learn, Progres
   const RunInputs inputs = open_inputs(options, progress, record);
   record.crs = crs_record(inputs.crs);
   if (options.area) options.area = area_in_crs(*options.area, inputs, progress, record);
-  check_settings(options, inputs);
+  check_settings(options.settings, inputs);
   check_edits(options, inputs, progress, record);
   warn_of_unused(options, progress, record);
   const std::vector<PlannedSite> sites =

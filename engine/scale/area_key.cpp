@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/scale/plan_json.h"
+#include "engine/scale/plan_products.h"
 #include "engine/settings/config.h"
 
 namespace ilot {
@@ -16,6 +17,8 @@ std::string area_key(const Plan& plan, const PlanArea& area, const std::string& 
   decides["by_shape"] = plan.roofs.by_shape;
   decides["inputs"] = nlohmann::ordered_json::array();
   for (const std::uint32_t i : area.inputs) decides["inputs"].push_back(plan.inputs[i].sha256);
+  if (carries_stations(plan, area))
+    for (const std::uint32_t i : area.inputs) decides["stations"].push_back(row_stations_json(plan.inputs[i].stations));
   return plan_hash(decides.dump());
 }
 

@@ -9,7 +9,8 @@
 namespace ilot {
 
 // The key of an area: the program, the settings, what the plan froze for tasks, the boxes, the contents of the inputs,
-// and `sites`, the hash of its sites. Neither the number of the area nor the other areas and their inputs matter.
+// the stations of their rows where the part has them, and `sites`, the hash of its sites. Neither the number of the
+// area nor the other areas and their inputs matter.
 std::string area_key(const Plan& plan, const PlanArea& area, const std::string& sites);
 
 }  // namespace ilot

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/scale/label_store.h"
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "engine/error.h"
 #include "engine/labels/row_labels.h"
+#include "engine/products/facades/facade_labels.h"
 #include "engine/products/planes/plane_labels.h"
+#include "engine/products/streets/street_labels.h"
+#include "engine/scale/plan_products.h"
 #include "engine/whole_file.h"
 
 namespace ilot {
@@ -21,8 +26,9 @@ constexpr const char* kPlanes = "planes.list";
 
 bool is_needed(const fs::path& file) {
   const std::string column = file.extension().string();
-  return column == std::string(".") + columns::kRowOrder.info.name ||
-         column == std::string(".") + columns::kPlaneRows.info.name;
+  constexpr std::array kNeeded{&columns::kRowOrder.info, &columns::kPlaneRows.info, &columns::kFacadeRows.info,
+                               &columns::kStreetRows.info};
+  return std::ranges::any_of(kNeeded, [&](const ColumnInfo* info) { return column == std::string(".") + info->name; });
 }
 
 void remove_what_no_label_needs(const fs::path& folder) {
@@ -39,16 +45,34 @@ nlohmann::json head_of(const fs::path& folder) {
   return nlohmann::json::parse(file, nullptr, false);
 }
 
+ProductLabels kept_plane_labels(const Plan& plan, const fs::path& folder, bool shapes) {
+  PlaneLabelParams params;
+  params.planes = read_column<JoinedPlane>(folder / kPlanes);
+  params.write_normals = plan.settings.normals.write;
+  if (shapes) params.final_shape = {0};  // the field is there; rows have the ids already
+  return plane_labels(std::move(params));
+}
+
+// In the order of labels_of().
+std::vector<ProductLabels> kept_labels(const Plan& plan, const fs::path& folder, bool shapes) {
+  const auto asked = [&](const char* product) { return std::ranges::count(plan.products, product) > 0; };
+  std::vector<ProductLabels> labels;
+  if (searches_planes(plan)) labels.push_back(kept_plane_labels(plan, folder, shapes));
+  if (asked("facades")) labels.push_back(facade_labels());
+  if (asked("streets")) labels.push_back(street_labels());
+  return labels;
+}
+
 }  // namespace
 
-void prepare_labels(const Store& store, std::span<const ProductLabels> labels, const LabelledPlanes& planes,
-                    const PassContext& context) {
+void prepare_labels(const Store& store, std::span<const ProductLabels> labels,
+                    const std::optional<LabelledPlanes>& planes, const PassContext& context) {
   rows_pass(store, labels, context);
   const fs::path folder = store.folder();
   remove_what_no_label_needs(folder);
   write_column<Block>(folder / kBlocks, store.blocks());
-  write_column<JoinedPlane>(folder / kPlanes, planes.planes);
-  write_whole_file(folder / kHead, nlohmann::json{{"shapes", planes.shapes}}.dump() + "\n");
+  if (planes) write_column<JoinedPlane>(folder / kPlanes, planes->planes);
+  write_whole_file(folder / kHead, nlohmann::json{{"shapes", planes && planes->shapes}}.dump() + "\n");
 }
 
 void publish_labels(const fs::path& folder, const Plan& plan, const fs::path& plan_folder,
@@ -70,13 +94,8 @@ KeptLabels open_labels(const Plan& plan, const fs::path& plan_folder, const Inde
                 ExitCode::usage);
   std::vector<Block> blocks = read_column<Block>(folder / kBlocks);
   std::erase_if(blocks, [&](const Block& b) { return box.is_empty() || !b.box.intersects(box); });
-  PlaneLabelParams params;
-  params.planes = read_column<JoinedPlane>(folder / kPlanes);
-  params.write_normals = plan.settings.normals.write;
-  if (head.value("shapes", false)) params.final_shape = {0};  // the field is there; rows have the ids already
-  std::vector<ProductLabels> labels;
-  labels.push_back(plane_labels(std::move(params)));
-  return {Store(folder, plan.lattice.unit, std::move(blocks)), std::move(labels), head.value("result", "")};
+  return {Store(folder, plan.lattice.unit, std::move(blocks)), kept_labels(plan, folder, head.value("shapes", false)),
+          head.value("result", "")};
 }
 
 }  // namespace ilot

@@ -2,6 +2,8 @@
 // The labels of all points of a merge, kept for the tasks that write labelled clouds: PLAN/labels.
 #pragma once
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/pass/context.h"
@@ -20,9 +22,10 @@ struct LabelledPlanes {
   bool shapes = false;              // clouds have the field shape_id
 };
 
-// Sorts the labels of a store by input row, and removes from its folder what no label needs.
-void prepare_labels(const Store& store, std::span<const ProductLabels> labels, const LabelledPlanes& planes,
-                    const PassContext& context);
+// Sorts the labels of a store by input row, and removes from its folder what no label needs. `planes` is none where
+// none were made.
+void prepare_labels(const Store& store, std::span<const ProductLabels> labels,
+                    const std::optional<LabelledPlanes>& planes, const PassContext& context);
 
 // Turns such a folder into PLAN/labels, once the result that the labels belong to is there. Labels of an earlier merge
 // are replaced.

@@ -85,7 +85,7 @@ void label_input(const TaskOptions& task, const Plan& plan, Progress& progress) 
   const std::array numbers{number};
   check_inputs(plan, numbers);
   const RunOptions options = run_options(task, plan, numbers);
-  const RunInputs inputs = open_needed(options, plan);
+  const RunInputs inputs = open_needed(options, plan, numbers);
   set_memory_limit(memory_to_fill(options));
   const KeptColumns kept_columns;
   const PassContext context = frozen_context(options, inputs, plan, progress);

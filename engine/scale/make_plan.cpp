@@ -16,14 +16,13 @@
 #include "engine/pass/pass.h"
 #include "engine/pass/resident.h"
 #include "engine/products/planes/cells/cells.h"
-#include "engine/products/planes/product.h"
 #include "engine/products/roofs/footprint_outcome.h"
 #include "engine/products/roofs/footprint_plan.h"
 #include "engine/products/roofs/make_roofs.h"
-#include "engine/products/roofs/product.h"
 #include "engine/products/roofs/roof_roles.h"
 #include "engine/report/counted.h"
 #include "engine/report/sha256.h"
+#include "engine/run/check_settings.h"
 #include "engine/run/folder_lock.h"
 #include "engine/run/inputs/input_crs.h"
 #include "engine/run/inputs/open_inputs.h"
@@ -35,6 +34,7 @@
 #include "engine/scale/parts/cell_part.h"
 #include "engine/scale/plan.h"
 #include "engine/scale/plan_areas.h"
+#include "engine/scale/plan_products.h"
 #include "engine/scale/plan_sites.h"
 #include "engine/scale/plan_update.h"
 #include "engine/store/flushed.h"
@@ -51,46 +51,6 @@ constexpr std::size_t kMostAreas = 100'000;  // Choice: plan.json has some 400 b
 constexpr std::uint64_t kLeastMemory = 96u << 20;
 // Choice: a house of two levels; the estimate of disk follows from it, no result does.
 constexpr std::uint64_t kPartBytesOfSite = 2000;
-// Derived: code, place in the inputs, normal and label of a point, and little for the planes of its cell.
-constexpr std::uint64_t kPartBytesOfPoint = 28;
-
-void check_products(const RunOptions& run) {
-  for (const std::string& product : run.products) {
-    if (product == "roofs" || product == "planes") continue;
-    const char* why = product == "streets" ? "the ground is filled and linked over the borders of areas"
-                                           : "facades cross the borders of areas";
-    throw Error("--products " + product + ": a plan cannot promise the bytes of one run: " + why +
-                    ", and joining them is not built yet; there is: roofs, planes (make the others with ilot run)",
-                ExitCode::usage);
-  }
-  if (run.products.size() != 1)
-    throw Error("--products: a plan makes one product; make one plan for roofs and one for planes", ExitCode::usage);
-  if (run.settings.roofs.dtm)
-    throw Error("roofs.dtm: a plan makes no terrain model; make it with ilot run", ExitCode::usage);
-  if (run.settings.classes.write)
-    throw Error("classes.write: neither roofs nor planes of a plan give classes to clouds; leave it out",
-                ExitCode::usage);
-  if (run.products[0] != "planes") return;
-  if (!run.footprints.empty())
-    throw Error("--footprints " + run.footprints.string() + ": only the product roofs reads it; leave it out",
-                ExitCode::usage);
-  if (run.settings.planes.method == PlaneMethod::colour_ransac)
-    throw Error(
-        "planes.method = colour_ransac: its classes of colours depend on all points, and a plan does not "
-        "freeze them; make planes with ilot run",
-        ExitCode::usage);
-  if (run.settings.boundaries.step == StepSource::stations)
-    throw Error("boundaries.step = stations: a plan knows no stations", ExitCode::usage);
-}
-
-// Steps of stations give the thresholds of outlines, and a merge opens no input.
-void check_stations(const RunOptions& run, const RunInputs& inputs) {
-  if (run.products[0] == "planes" && !inputs.stations.empty())
-    throw Error(
-        "the inputs have stations, from which outlines of planes follow, and a plan does not carry them; make "
-        "planes with ilot run",
-        ExitCode::usage);
-}
 
 void check_folder(const PlanOptions& options) {
   const fs::path& folder = options.run.output;
@@ -181,12 +141,11 @@ void estimate_area(const PointMap& map, std::uint64_t neighbours, const Plan& pl
     const double share = static_cast<double>(rows - before) / static_cast<double>(plan.inputs[i].record.points);
     area.input_bytes += static_cast<std::uint64_t>(share * static_cast<double>(plan.inputs[i].record.bytes));
   }
-  const ProductCost& cost = is_of_planes(plan) ? planes_product().cost : roofs_product().cost;
   constexpr double kMicroseconds = 1e-6, kReading = 0.5;  // as in run_estimate.cpp, for each row that is decoded
-  area.processor_seconds =
-      kMicroseconds * (static_cast<double>(rows) * kReading + static_cast<double>(area.points) * cost.microseconds);
+  area.processor_seconds = kMicroseconds * (static_cast<double>(rows) * kReading +
+                                            static_cast<double>(area.points) * microseconds_of_point(plan));
   area.memory_bytes = kLeastMemory + (area.sites + neighbours) * kBytesOfSiteInMemory;
-  area.part_bytes = is_of_planes(plan) ? map.in(area.own) * kPartBytesOfPoint : area.sites * kPartBytesOfSite;
+  area.part_bytes = is_of_roofs(plan) ? area.sites * kPartBytesOfSite : map.in(area.own) * part_bytes_of_point(plan);
 }
 
 void check_count(std::size_t areas) {
@@ -237,14 +196,16 @@ void cut(const PlanOptions& options, const IndexResult& index, const PointMap& m
   }
 }
 
-// Areas of planes are squares of whole cells, of the side that is nearest to the one that is asked for.
+// Squares of whole cells, of the side that is nearest to the one that is asked for.
 void cut_cells(const PlanOptions& options, const IndexResult& index, const PointMap& map, const PassContext& context,
                Plan& plan) {
   const double step = index.store.unit() * context.metres_per_unit;
-  const std::int64_t edge = largest_cell(step), halo = halo_of_cells(plan.settings, step);
+  const bool planes = searches_planes(plan);
+  const std::int64_t edge = largest_cell(step), halo = planes ? halo_of_cells(plan.settings, step) : 0;
   const double cell = static_cast<double>(edge) * step;
   plan.halo = static_cast<double>(halo) * step;
-  plan.halo_why = "margins of cells, and the neighbours from which normals in them follow";
+  plan.halo_why = planes ? "margins of cells, and the neighbours from which normals in them follow"
+                         : "points alone are read and sorted";
   const double asked = options.area_size > 0 ? options.area_size : suitable_area_size(map, step, plan.halo);
   const std::int64_t cells = std::max<std::int64_t>(1, std::llround(asked / cell));
   plan.area_size = static_cast<double>(cells) * cell;
@@ -281,11 +242,15 @@ Plan begun(const PlanOptions& options, const RunInputs& inputs, const RunRecord&
   plan.crs_option = options.run.crs;
   plan.dialect = options.run.dialect;
   plan.crs = inputs.crs;
+  plan.stations = inputs.stations;
+  if (!options.run.stations.empty()) plan.stations_file = fs::absolute(options.run.stations).lexically_normal();
   for (const InputRecord& input : record.inputs) {
     PlanInput& i = plan.inputs.emplace_back();
     i.record = input;
     if (!is_remote(input.path)) i.record.path = fs::absolute(input.path).lexically_normal().string();
     i.ends = ends_of(input.path);
+    i.date = inputs.sources[plan.inputs.size() - 1].date;
+    i.stations = inputs.row_stations[plan.inputs.size() - 1];
   }
   parallel_for(plan.inputs.size(), [&](std::size_t i) { plan.inputs[i].sha256 = sum_of_file(record.inputs[i].path); });
   return plan;
@@ -308,10 +273,10 @@ void fill_folder(const PlanOptions& options, const RunInputs& inputs, std::vecto
   if (index.store.points() == 0) throw Error("none of the points of the inputs can be used; ilot info says why");
   freeze_index(index, inputs, context, plan);
   const PointMap map = mapped(folder, inputs, index, context, plan);
-  if (is_of_planes(plan))
-    cut_cells(options, index, map, context, plan);
-  else
+  if (is_of_roofs(plan))
     freeze_roofs(options, inputs, index, map, std::move(given), context, progress, record, plan);
+  else
+    cut_cells(options, index, map, context, plan);
   plan.skipped = record.skipped;
   plan.warnings = record.warnings;
   fs::remove_all(store);
@@ -343,7 +308,7 @@ int make_plan(const PlanOptions& options, Progress& progress) {
     RunRecord record;
     const RunInputs inputs = open_inputs(run, progress, record);
     check_crs(run, inputs, record);
-    check_stations(run, inputs);
+    check_settings(run.settings, inputs);
     std::vector<PlannedSite> given;
     if (!run.footprints.empty()) given = plan_footprints(run.footprints, run.id_field, inputs.crs, progress, record);
     set_memory_limit(memory_to_fill(run));
@@ -369,8 +334,7 @@ std::string plan_estimate(const fs::path& folder) {
   }
   const auto mebibytes = [](std::uint64_t b) { return grouped((b >> 20) + 1) + " MiB"; };
   std::string text = counted(plan.areas.size(), "area") + " of " + fmt::format("{:.0f}", plan.area_size) + " m, " +
-                     (is_of_planes(plan) ? "planes" : counted(plan.roofs.sites, "building")) + ", halo " +
-                     fmt::format("{:.1f}", plan.halo) + " m (" + plan.halo_why + ")\n";
+                     what_is_made(plan) + ", halo " + fmt::format("{:.1f}", plan.halo) + " m (" + plan.halo_why + ")\n";
   text += "tasks    " + grouped(points) + " of " + grouped(plan.points) + " points to work on, some several times; " +
           grouped(most) + " in the largest; about " + fmt::format("{:.0f}", std::ceil(seconds)) +
           " s of processor time\n";

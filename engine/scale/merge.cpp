@@ -3,32 +3,25 @@
 
 #include <algorithm>
 #include <chrono>
-#include <memory>
 #include <optional>
-#include <queue>
 
 #include "engine/deliverables/report/report.h"
 #include "engine/error.h"
-#include "engine/pass/pass.h"
-#include "engine/pass/resident.h"
-#include "engine/products/planes/product.h"
-#include "engine/products/roofs/footprint_outcome.h"
-#include "engine/products/roofs/make_roofs.h"
-#include "engine/products/roofs/product.h"
-#include "engine/products/roofs/roof_sink.h"
 #include "engine/report/counted.h"
 #include "engine/report/product_files.h"
 #include "engine/report/resources.h"
 #include "engine/report/sha256.h"
 #include "engine/run/folder_lock.h"
 #include "engine/run/inputs/input_crs.h"
+#include "engine/run/products.h"
 #include "engine/run/result_swap.h"
 #include "engine/scale/label_store.h"
-#include "engine/scale/merge_planes.h"
+#include "engine/scale/merge_roofs.h"
+#include "engine/scale/merge_store.h"
 #include "engine/scale/parts/part_file.h"
 #include "engine/scale/plan.h"
+#include "engine/scale/plan_products.h"
 #include "engine/scale/records.h"
-#include "engine/scale/site_records.h"
 #include "engine/scale/work_folder.h"
 #include "kernels/core/parallel.h"
 
@@ -36,75 +29,6 @@ namespace ilot {
 namespace {
 
 namespace fs = std::filesystem;
-
-// The own sites of an area, front to back, which is the order of their numbers.
-class OwnSites {
- public:
-  OwnSites(const fs::path& path, std::size_t buffer) : path_(path), file_(path, buffer) {}
-  std::optional<NumberedSite> next() {
-    try {
-      while (const auto record = file_.next())
-        if (NumberedSite site = numbered_site(*record); site.own) return site;
-    } catch (const nlohmann::json::exception&) {
-      throw Error(path_.string() + ": is damaged; make the plan again");
-    }
-    return std::nullopt;
-  }
-
- private:
-  fs::path path_;
-  RecordFileReader file_;
-};
-
-// A building with what the plan knows of its site.
-struct MergedSite {
-  std::uint64_t number = 0;
-  bool outside = false;
-  BuiltSite built;
-};
-
-// The buildings of one part, one for each own site of the area.
-class PartReader {
- public:
-  PartReader(const fs::path& plan, const std::string& area, std::size_t buffer)
-      : path_(plan / kPartsFolder / area), sites_(plan / kSitesFolder / area, buffer), file_(path_, buffer) {
-    advance();
-  }
-  bool ended() const { return ended_; }
-  std::uint64_t number() const { return next_.number; }
-  MergedSite take() {
-    MergedSite site = std::move(next_);
-    advance();
-    return site;
-  }
-  const ShiftCounts& shifts() const { return shifts_; }
-
- private:
-  [[noreturn]] void damaged() const { throw Error(path_.string() + ": is damaged; remove it and run its task again"); }
-
-  void advance() {
-    try {
-      const auto record = file_.next();
-      const auto site = sites_.next();
-      ended_ = !record || is_summary(*record);
-      if (ended_ == site.has_value()) damaged();  // not one building for each site
-      if (record && ended_) {
-        shifts_ = summary_of(*record).shifts;
-        file_.next();  // the end, which proves that the file is whole
-      }
-      if (!ended_) next_ = {site->number, site->outside, built_site(*record)};
-    } catch (const nlohmann::json::exception&) {
-      damaged();
-    }
-  }
-
-  fs::path path_;
-  OwnSites sites_;
-  RecordFileReader file_;
-  MergedSite next_;
-  ShiftCounts shifts_;
-  bool ended_ = false;
-};
 
 // The areas whose parts are there; throws Error for parts that cannot be merged.
 std::vector<std::uint64_t> areas_with_parts(const MergeOptions& options, const Plan& plan,
@@ -154,71 +78,6 @@ RunRecord begun(const Plan& plan) {
   return record;
 }
 
-// What a merge keeps of all sites until the last part is read.
-struct Merged {
-  SiteNames names;
-  ShiftCounts shifts;
-  std::uint64_t labelled = 0;
-};
-
-// Hands the buildings of all parts to the sink in the order of their numbers.
-Merged merge_buildings(const MergeOptions& options, const Plan& plan, const std::vector<std::uint64_t>& areas,
-                       RoofSink& sink, Progress& progress) {
-  // Choice: some records fit, and 10,000 parts take 320 MiB at most; with fewer parts each gets more.
-  constexpr std::size_t kLeastBuffer = 1u << 15, kMostBuffer = 1u << 20, kAllBuffers = 64u << 20;
-  const std::size_t buffer = std::clamp(kAllBuffers / areas.size(), kLeastBuffer, kMostBuffer);
-  std::vector<std::unique_ptr<PartReader>> parts;
-  using Next = std::pair<std::uint64_t, std::size_t>;
-  std::priority_queue<Next, std::vector<Next>, std::greater<>> order;
-  for (const std::uint64_t area : areas) {
-    parts.push_back(std::make_unique<PartReader>(options.plan, std::to_string(area), buffer));
-    if (!parts.back()->ended()) order.push({parts.back()->number(), parts.size() - 1});
-  }
-  progress.begin_stage("merge", plan.roofs.sites, {plan.roofs.sites, "buildings"});
-  Merged merged;
-  while (!order.empty()) {
-    stop_if_asked();
-    const std::size_t n = order.top().second;
-    order.pop();
-    MergedSite site = parts[n]->take();
-    if (!parts[n]->ended()) order.push({parts[n]->number(), n});
-    merged.labelled += site.built.labelled;
-    ++merged.names.sites;
-    const std::string& id = site.built.result.levels.at(0).id;
-    if (site.built.result.status == RoofStatus::footprint_only) {
-      merged.names.all.insert(id);
-      if (site.outside) merged.names.beyond.insert(id);
-    }
-    sink.take(site.built.result);
-    progress.advance(1);
-  }
-  for (const auto& part : parts) add(merged.shifts, part->shifts());
-  progress.end_stage();
-  return merged;
-}
-
-void merge_roofs(const MergeOptions& options, const Plan& plan, const std::vector<std::uint64_t>& areas,
-                 const fs::path& staging, Progress& progress, RunRecord& record) {
-  const fs::path folder = staging / "roofs";
-  fs::create_directories(folder);
-  RoofSink sink(folder, roof_files_params(plan.roofs.frame, plan.settings, plan.crs), plan.crs, nullptr, record);
-  const Merged merged = merge_buildings(options, plan, areas, sink, progress);
-  sink.finish();
-  // A point in two outlines counts for both buildings.
-  const std::uint64_t usable = record.points.read - record.points.rejected_total();
-  record.points.labelled = std::min(merged.labelled, usable);
-  record.points.unlabelled = usable - record.points.labelled;
-  if (plan.roofs.footprints) {
-    record_misalignment(merged.shifts, progress, record);
-    resolve_skipped_footprints(merged.names, progress, record);
-  }
-  if (record.roofs->buildings == (record.footprints ? record.footprints->outside.size() : 0)) {
-    const std::string reason = why_no_building({}, false, false);
-    record.skipped.push_back({"product", roofs_product().name, reason});
-    progress.unit_skipped(roofs_product().name, reason);
-  }
-}
-
 void check_output(const fs::path& out) {
   if (!fs::exists(out)) return;
   if (!fs::is_directory(out)) throw Error(out.string() + ": is not a folder", ExitCode::usage);
@@ -229,19 +88,11 @@ void check_output(const fs::path& out) {
                   ExitCode::usage);
 }
 
-// What was made, for people.
-std::string made(const Plan& plan, const RunRecord& record) {
-  return is_of_planes(plan) ? planes_product().summary(record) : counted(record.roofs->buildings, "building");
-}
-
-const char* main_file(const Plan& plan) {
-  return is_of_planes(plan) ? planes_product().main_file : roofs_product().main_file;
-}
-
 int merge_in_arena(const MergeOptions& options, Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   const Plan plan = read_plan(options.plan);
-  if (options.labels && !is_of_planes(plan))
+  const bool roofs = is_of_roofs(plan);
+  if (options.labels && roofs)
     throw Error("--labels: labelled clouds of a plan of roofs are not built; leave it out", ExitCode::usage);
   std::vector<std::uint64_t> missing;
   const std::vector<std::uint64_t> areas = areas_with_parts(options, plan, missing);
@@ -257,24 +108,23 @@ int merge_in_arena(const MergeOptions& options, Progress& progress) {
     record.skipped.push_back({"area", std::to_string(area), "there is no part of this area of the plan"});
   std::optional<WorkFolder> beside;  // labels are renamed from it to a folder of the plan
   if (options.labels) beside.emplace(options.plan, ".labels-");
-  if (is_of_planes(plan))
-    merge_planes(options, plan, areas, beside ? beside->path() / "store" : out / ".store", staging, progress, record);
-  else
+  if (roofs)
     merge_roofs(options, plan, areas, staging, progress, record);
+  else
+    merge_store(options, plan, areas, beside ? beside->path() / "store" : out / ".store", staging, progress, record);
   record.exit = record.skipped.empty() ? ExitCode::ok : ExitCode::incomplete;
   for (const std::string& name : product_files(staging))
     record.results.push_back({name, fs::file_size(staging / name)});
   record.result_hash = result_hash(staging);
   record.stages = progress.stages();
-  record.threads = is_of_planes(plan) ? thread_count() : 1;
-  if (is_of_planes(plan)) record.memory_bytes = options.memory_bytes;
+  record.threads = roofs ? 1 : thread_count();
+  if (!roofs) record.memory_bytes = options.memory_bytes;
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   record.peak_rss_bytes = peak_resident_bytes();
   write_run_json(record, staging);
   swap_result(out, {});
   if (beside) publish_labels(beside->path() / "store", plan, options.plan, record.result_hash);
-  std::string text =
-      made(plan, record) + " of " + counted(areas.size(), "part") + ": " + (out / main_file(plan)).string();
+  std::string text = product_lines(plan.products, record, out) + "all      " + counted(areas.size(), "part");
   if (!missing.empty()) text += ", " + counted(missing.size(), "area is", "areas are") + " missing";
   if (options.report) write_report(out);
   progress.run_done(text + (options.report ? "\nopen " + (out / kReportFile).string() : ""));

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/cloud/cloud_info.h"
+#include "engine/columns/stations_pass.h"
 #include "engine/formats/tables/text_dialect.h"
 #include "engine/products/roofs/roof_setup.h"
 #include "engine/report/run_record.h"
@@ -31,6 +32,8 @@ struct PlanInput {
   std::string ends;                 // hash of its first and last 4 KiB: what a task compares
   std::string sha256;               // of the whole file
   IndexBox box = IndexBox::none();  // of its points in the store, lattice steps
+  std::string date;                 // InputSource::date
+  InputStations stations;           // of its rows
 };
 
 // What the product roofs needs of the whole run.
@@ -47,7 +50,7 @@ struct PlanRoofs {
 // numbers from 1, their place in the list.
 struct PlanArea {
   std::int64_t row = 0, column = 0;   // of the square, counted from the origin of the coordinates
-  IndexBox own = IndexBox::none();    // of planes: whole cells; none in a plan of roofs
+  IndexBox own = IndexBox::none();    // whole cells; none in a plan of roofs
   IndexBox read = IndexBox::none();   // points of this box are read; empty: none
   std::uint64_t sites = 0;            // that it owns
   std::vector<std::uint32_t> inputs;  // places in the list of inputs, ascending
@@ -78,16 +81,15 @@ struct Plan {
   std::vector<ChosenRecord> chosen;
   std::vector<SkippedRecord> skipped;
   std::vector<std::string> warnings;
-  PlanRoofs roofs;  // of a plan of roofs
-  double halo = 0;  // metres around the outlines of an area's sites
+  std::filesystem::path stations_file;  // --stations, absolute
+  std::vector<Station> stations;        // RunInputs::stations, without their names
+  PlanRoofs roofs;                      // of a plan of roofs
+  double halo = 0;                      // metres around the outlines of an area's sites
   std::string halo_why;
   double area_size = 0;  // metres
   std::vector<PlanArea> areas;
   std::string hash;  // of plan.json; filled in when it is written or read
 };
-
-// Whether the plan is one of planes; else it is one of roofs.
-bool is_of_planes(const Plan& plan);
 
 // The text of plan.json, without the hash.
 std::string plan_text(const Plan& plan);

@@ -11,6 +11,7 @@
 #include "engine/report/path_text.h"
 #include "engine/report/sha256.h"
 #include "engine/scale/plan.h"
+#include "engine/scale/plan_products.h"
 #include "engine/settings/config.h"
 #include "engine/version.h"
 
@@ -19,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFormat = "ilot plan 2";
+constexpr const char* kFormat = "ilot plan 3";
 
 IndexBox box_of(const Json& list) {
   if (list.is_null()) return IndexBox::none();
@@ -47,6 +48,44 @@ Crs crs_of(const Json& j) {
   return c;
 }
 
+InputStations row_stations_of(const Json& j) {
+  InputStations s;
+  s.of_all = j.at("all").get<StationNumber>();
+  for (const Json& pair : j.at("of_source"))
+    s.of_source[pair.at(0).get<std::uint16_t>()] = pair.at(1).get<StationNumber>();
+  return s;
+}
+
+Json vector_json(const Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+Vec3 vector_of(const Json& j) {
+  const auto v = j.get<std::array<double, 3>>();
+  return {v[0], v[1], v[2]};
+}
+
+Json stations_json(const Plan& p) {
+  Json list = Json::array();
+  for (const Station& s : p.stations)
+    list.push_back({{"position", vector_json(s.position)},
+                    {"axis", vector_json(s.axis)},
+                    {"steps", {s.azimuth_step, s.elevation_step}}});
+  return {{"file", path_text(p.stations_file.string())}, {"list", list}};
+}
+
+void read_stations(const Json& j, Plan& p) {
+  p.stations_file = path_of_text(j.at("file").get<std::string>());
+  for (const Json& s : j.at("list")) {
+    Station station;
+    station.position = vector_of(s.at("position"));
+    station.axis = vector_of(s.at("axis"));
+    const auto steps = s.at("steps").get<std::array<double, 2>>();
+    station.azimuth_step = steps[0], station.elevation_step = steps[1];
+    p.stations.push_back(station);
+  }
+}
+
 Json input_json(const PlanInput& i) {
   return {{"path", path_text(i.record.path)},
           {"format", i.record.format},
@@ -56,7 +95,9 @@ Json input_json(const PlanInput& i) {
           {"bytes", i.record.bytes},
           {"sha256", i.sha256},
           {"ends", i.ends},
-          {"box_steps", box_json(i.box)}};
+          {"box_steps", box_json(i.box)},
+          {"date", i.date},
+          {"stations", row_stations_json(i.stations)}};
 }
 
 PlanInput input_of(const Json& j) {
@@ -70,6 +111,8 @@ PlanInput input_of(const Json& j) {
   i.sha256 = j.at("sha256").get<std::string>();
   i.ends = j.at("ends").get<std::string>();
   i.box = box_of(j.at("box_steps"));
+  i.date = j.at("date").get<std::string>();
+  i.stations = row_stations_of(j.at("stations"));
   return i;
 }
 
@@ -213,6 +256,7 @@ Plan plan_of(const Json& j) {
   p.points = j.at("points").get<std::uint64_t>();
   p.rejected = j.at("rejected").get<std::map<std::string, std::uint64_t>>();
   read_notes(j.at("notes"), p);
+  read_stations(j.at("stations"), p);
   if (j.contains("roofs")) p.roofs = roofs_of(j["roofs"]);
   p.halo = j.at("halo").at("metres").get<double>();
   p.halo_why = j.at("halo").at("why").get<std::string>();
@@ -227,8 +271,10 @@ Json box_json(const IndexBox& b) {
   return b.is_empty() ? Json() : Json{b.min.x, b.min.y, b.min.z, b.max.x, b.max.y, b.max.z};
 }
 
-bool is_of_planes(const Plan& plan) {
-  return std::ranges::find(plan.products, "planes") != plan.products.end();
+Json row_stations_json(const InputStations& s) {
+  Json sources = Json::array();
+  for (const auto& [source, station] : s.of_source) sources.push_back({source, station});
+  return {{"all", s.of_all}, {"of_source", sources}};
 }
 
 Json task_json(const Plan& p) {
@@ -266,7 +312,8 @@ std::string plan_text(const Plan& p) {
   j["halo"] = {{"metres", p.halo}, {"why", p.halo_why}};
   j["area_size_m"] = p.area_size;
   j["areas"] = areas;
-  if (!is_of_planes(p)) j["roofs"] = roofs_json(p.roofs);
+  j["stations"] = stations_json(p);
+  if (is_of_roofs(p)) j["roofs"] = roofs_json(p.roofs);
   return j.dump(1) + "\n";
 }
 

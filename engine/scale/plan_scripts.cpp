@@ -7,6 +7,7 @@
 
 #include "engine/error.h"
 #include "engine/scale/plan.h"
+#include "engine/scale/plan_products.h"
 
 namespace ilot {
 namespace {
@@ -149,7 +150,7 @@ std::span<const char* const> script_kinds() {
 std::string plan_script(const std::filesystem::path& folder, const std::string& kind) {
   const char* lines = template_of(kind);
   const Plan plan = read_plan(folder);
-  std::string text = lines_for(lines, is_of_planes(plan));
+  std::string text = lines_for(lines, !is_of_roofs(plan));
   const std::string path = std::filesystem::absolute(folder).lexically_normal().string();
   const auto plain = [](unsigned char c) {
     return std::isalnum(c) != 0 || std::string("/._+-").find(static_cast<char>(c)) != std::string::npos;

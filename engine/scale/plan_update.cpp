@@ -36,6 +36,7 @@ void take_options(const Plan& old, PlanOptions& options) {
   run.settings = old.settings;
   run.crs = old.crs_option;
   run.dialect = old.dialect;
+  if (run.stations.empty()) run.stations = old.stations_file;
   options.area_size = old.area_size;
   if (run.inputs.empty())
     for (const PlanInput& input : old.inputs) run.inputs.emplace_back(input.record.path);

@@ -18,6 +18,7 @@
 #include "engine/scale/parts/cell_part.h"
 #include "engine/scale/parts/part_file.h"
 #include "engine/scale/plan.h"
+#include "engine/scale/plan_products.h"
 #include "engine/scale/records.h"
 #include "engine/scale/site_records.h"
 #include "engine/scale/task_inputs.h"
@@ -69,7 +70,7 @@ Store index_of_area(const RunOptions& options, const RunInputs& inputs, const Pl
   p.finest_step = options.settings.index.finest_step;
   p.keep_strays = options.settings.index.keep_strays;
   p.strays = Strays(plan.stray_bits, plan.strays);
-  if (!is_of_planes(plan)) p.classes = ClassColumns::written;
+  if (is_of_roofs(plan)) p.classes = ClassColumns::written;
   p.block_points = p.run_points = affordable_block_points(options, thread_count());
   IndexResult index = build_index(inputs.readers, p, folder, context);
   if (!(index.lattice == plan.lattice))
@@ -101,8 +102,8 @@ PartSummary make_part(const TaskOptions& task, const Plan& plan, const PlanArea&
                       const fs::path& part, Progress& progress) {
   const RunOptions options = run_options(task, plan, area.inputs);
   LocalSites local;
-  if (!is_of_planes(plan)) local = read_sites(task.plan / kSitesFolder / std::to_string(task.number), area);
-  const RunInputs inputs = open_needed(options, plan);
+  if (is_of_roofs(plan)) local = read_sites(task.plan / kSitesFolder / std::to_string(task.number), area);
+  const RunInputs inputs = open_needed(options, plan, area.inputs);
   set_memory_limit(memory_to_fill(options));
   const KeptColumns kept;
   const fs::path folder = work.path() / "store";
@@ -114,10 +115,10 @@ PartSummary make_part(const TaskOptions& task, const Plan& plan, const PlanArea&
   progress.end_stage();
   RecordFileWriter file(part, part_head(area.key));
   PartSummary summary;
-  if (is_of_planes(plan))
-    summary.cells = write_cells(store, inputs, plan, area, context, progress, file);
-  else
+  if (is_of_roofs(plan))
     summary = write_buildings(store, local, plan, context, progress, file);
+  else
+    summary.cells = write_cells(store, inputs, plan, area, context, progress, file);
   file.add(summary_record(summary));
   file.finish();
   return summary;
@@ -149,7 +150,7 @@ int work_on_area(const TaskOptions& options, const Plan& plan, Progress& progres
   check_inputs(plan, area.inputs);  // a change while the task read
   fs::rename(made, part);           // a twin's file has the same bytes
   progress.run_done(part.string() + ": " +
-                    (is_of_planes(plan) ? counted(summary.cells, "cell") : counted(area.sites, "building")) +
+                    (is_of_roofs(plan) ? counted(area.sites, "building") : counted(summary.cells, "cell")) +
                     (summary.without_model == 0 ? "" : ", " + grouped(summary.without_model) + " without a model"));
   return exit_code(summary);
 }

@@ -52,7 +52,7 @@ RunOptions run_options(const TaskOptions& task, const Plan& plan, std::span<cons
   return options;
 }
 
-RunInputs open_needed(const RunOptions& options, const Plan& plan) {
+RunInputs open_needed(const RunOptions& options, const Plan& plan, std::span<const std::uint32_t> numbers) {
   if (options.inputs.empty()) {
     RunInputs none;
     none.crs = plan.crs;
@@ -66,6 +66,21 @@ RunInputs open_needed(const RunOptions& options, const Plan& plan) {
   if (inputs.crs.metres_per_unit != plan.crs.metres_per_unit)
     throw Error(options.inputs[0].string() + ": gives another CRS alone than with the others; make the plan with --crs",
                 ExitCode::usage);
+  inputs.stations = plan.stations;  // rows have numbers among those of all inputs
+  inputs.row_stations.clear();
+  for (const std::uint32_t i : numbers) inputs.row_stations.push_back(plan.inputs[i].stations);
+  return inputs;
+}
+
+RunInputs frozen_inputs(const Plan& plan) {
+  RunInputs inputs;
+  inputs.crs = plan.crs;
+  inputs.points = plan.points;
+  inputs.stations = plan.stations;
+  for (const PlanInput& input : plan.inputs) {
+    inputs.sources.push_back({fs::path(input.record.path).filename().string(), input.date});
+    inputs.row_stations.push_back(input.stations);
+  }
   return inputs;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How tasks open the inputs of a plan.
+// How tasks open the inputs of a plan, and what a merge knows of them.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -17,8 +17,12 @@ void check_inputs(const Plan& plan, std::span<const std::uint32_t> numbers);
 // The options of a run over these inputs with the settings of the plan.
 RunOptions run_options(const TaskOptions& task, const Plan& plan, std::span<const std::uint32_t> numbers);
 
-// Opens the inputs of the options. Throws Error where they do not open as they did for the plan.
-RunInputs open_needed(const RunOptions& options, const Plan& plan);
+// Opens the inputs of the options, which are those with these numbers. Throws Error where they do not open as they did
+// for the plan.
+RunInputs open_needed(const RunOptions& options, const Plan& plan, std::span<const std::uint32_t> numbers);
+
+// What the plan knows of all inputs; none is opened.
+RunInputs frozen_inputs(const Plan& plan);
 
 // The context of passes, with what the plan froze.
 PassContext frozen_context(const RunOptions& options, const RunInputs& inputs, const Plan& plan, Progress& progress);

@@ -164,10 +164,12 @@ class Scale(RunTest):
         self.assertEqual(self.task(plan, 1).returncode, 1)
 
     def test_what_is_refused(self):
-        for product in ("streets", "facades"):
-            done = ilot("plan", self.inputs, "-o", self.folder / "p", "--products", product)
+        for options, why in ((("--products", "roofs,streets"), "one plan for roofs alone"),
+                             (("--set", "roofs.dtm=true"), "makes no terrain model"),
+                             (("--set", "classes.write=true"), "writes no clouds")):
+            done = ilot("plan", self.inputs, "-o", self.folder / "p", *options)
             self.assertEqual(done.returncode, 2)
-            self.assertIn("cannot promise the bytes of one run", done.stderr)
+            self.assertIn(why, done.stderr)
             self.assertFalse((self.folder / "p").exists())
 
     def test_make_runs_the_plan(self):

@@ -9,59 +9,12 @@ import shutil
 import struct
 import subprocess
 
-from support import EXE, Las, RunTest, ilot, kill_at_work, main, real, small_las
+from plan_support import PlanTest
+from support import EXE, Las, ilot, kill_at_work, main, real, small_las
 
 
-class PlanesTest(RunTest):
-    plans = 0
-
-    def quarters(self, path):
-        """Writes the cloud as four files whose borders are no borders of cells."""
-        las = Las.read(path)
-        rows = list(zip(las.records(), las.raw()))
-        x, y = (sorted(p[axis] for p in las.raw())[las.count // 2] for axis in (0, 1))
-        folder = self.folder / "tiles"
-        folder.mkdir()
-        for n in range(4):
-            part = [r for r, p in rows if (p[0] < x) + 2 * (p[1] < y) == n]
-            las.write(folder / f"{n}.las", part)
-        return folder
-
-    def one_run(self, inputs, *options, clouds=("--no-clouds",)):
-        done = ilot("run", inputs, "-o", self.folder / "one", "--products", "planes", *clouds, *options, timeout=600)
-        self.assertIn(done.returncode, (0, 3), done.stderr)
-        return json.loads((self.folder / "one/run.json").read_text())
-
-    def plan(self, inputs, *options):
-        self.plans += 1
-        plan = self.folder / f"plan-{self.plans}"
-        done = ilot("plan", inputs, "-o", plan, "--products", "planes", *options, timeout=600)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return plan, json.loads((plan / "plan.json").read_text())
-
-    def task(self, plan, number):
-        return ilot("task", plan, number, "--threads", "1", "--memory", "96M", timeout=600)
-
-    def merged(self, plan, *options, code=(0, 3)):
-        out = self.folder / f"out-{plan.name}"
-        done = ilot("merge", plan, "-o", out, "--no-report", *options, timeout=600)
-        self.assertIn(done.returncode, code, done.stderr)
-        self.assertFalse((out / ".store").exists())
-        return json.loads((out / "run.json").read_text())
-
-    def equal(self, one, inputs, size, *options, merge=()):
-        """Returns the number of areas."""
-        plan, what = self.plan(inputs, "--area-size", size, *options)
-        numbers = [area["area"] for area in what["areas"]]
-        random.Random(len(numbers)).shuffle(numbers)
-        for number in numbers:
-            done = self.task(plan, number)
-            self.assertEqual(done.returncode, 0, done.stderr)
-        merged = self.merged(plan, *merge)
-        self.assertEqual(merged["result_hash"], one["result_hash"], f"areas of {size} m")
-        for key in ("results", "exit_code", "rejected", "parameters", "chosen", "counts", "cells"):
-            self.assertEqual(merged.get(key), one.get(key), key)
-        return len(numbers)
+class PlanesTest(PlanTest):
+    products = "planes"
 
 
 class PlanOfPlanes(PlanesTest):
@@ -107,9 +60,6 @@ class PlanOfPlanes(PlanesTest):
             self.assertIn("colour", file.readline())
         self.assertIn("planes.colour_classes", [c["key"] for c in one["chosen"]])
         self.assertGreater(self.equal(one, folder, 60), 1)
-
-    def label(self, plan, number, out):
-        return ilot("task", plan, "label", number, "-o", out, "--threads", "1", timeout=600)
 
     def test_labelled_clouds(self):
         """One task for each input, after the merge; the last one makes the result whole."""
@@ -172,9 +122,9 @@ class PlanOfPlanes(PlanesTest):
 
     def test_what_is_refused(self):
         inputs = self.district(20_000)
-        for options, why in ((("--products", "planes,roofs"), "makes one product"),
+        for options, why in ((("--products", "planes,roofs"), "one plan for roofs alone"),
                              (("--set", "planes.method=colour_ransac"), "colour_ransac"),
-                             (("--set", "boundaries.step=stations"), "knows no stations"),
+                             (("--set", "boundaries.step=stations"), "give --stations"),
                              (("--footprints", inputs), "only the product roofs reads it")):
             done = ilot("plan", inputs, "-o", self.folder / "p", "--products", "planes", *options)
             self.assertEqual(done.returncode, 2, done.stderr)

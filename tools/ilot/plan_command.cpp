@@ -26,7 +26,7 @@ constexpr std::uint64_t kLeastOfTask = 96u << 20;
 struct PlanArguments {
   std::vector<std::string> inputs, products{"roofs"}, assignments;
   std::string output, config, memory, store, footprints, id_field, crs, dialect, area_size = "auto", kind;
-  std::string update, statistics;
+  std::string update, statistics, stations;
   int threads = 0;
   bool estimate = false, quiet = false;
 };
@@ -60,6 +60,7 @@ PlanOptions options_of(const PlanArguments& given) {
   run.products = given.products;
   run.footprints = given.footprints;
   run.id_field = given.id_field;
+  run.stations = given.stations;
   run.output = given.output;
   run.memory_bytes = memory_of(given.memory);
   run.threads = given.threads;
@@ -158,7 +159,8 @@ void add_plan_work(CLI::App& command, PlanArguments& given) {
   command.add_option("INPUT", given.inputs, "point clouds, as for ilot run; with --as and --estimate a PLAN")
       ->option_text("...");
   command.add_option("-o,--output", given.output, "folder for the plan, must not exist [none]")->option_text("PLAN");
-  command.add_option("--products", given.products, "what to make: roofs or planes [roofs]")
+  command
+      .add_option("--products", given.products, "what to make: roofs alone, or any of planes, facades, streets [roofs]")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->option_text("LIST");
@@ -172,6 +174,8 @@ void add_plan_work(CLI::App& command, PlanArguments& given) {
       ->option_text("FILE");
   command.add_option("--id-field", given.id_field, "attribute that names the footprints [identificatie, id ...]")
       ->option_text("NAME");
+  command.add_option("--stations", given.stations, "places of the scanners, as for ilot run [those in the inputs]")
+      ->option_text("FILE");
   command.add_option("--crs", given.crs, "overrides what the inputs say [theirs]")->option_text("EPSG:n");
   add_dialect_option(command, given.dialect);
   command.add_option("--store", given.store, "folder for blocks while the plan is made, is emptied [PLAN/.store]")
@@ -202,6 +206,7 @@ void add_plan_command(CLI::App& app, Action& action) {
     command->get_option("--update")->excludes(command->get_option(set));
   command->footer(
       "Example: ilot plan tiles/ -o plan --products roofs --footprints buildings.gpkg\n"
+      "Example: ilot plan scans/ -o plan --products facades --stations stations.csv\n"
       "Example: ilot plan tiles/ -o plan-2 --update plan");
   command->callback([given, &action] { action = [given] { return plan_command(*given); }; });
 }
@@ -235,7 +240,7 @@ void add_merge_command(CLI::App& app, Action& action) {
       ->option_text("OUT");
   command->add_flag("--allow-missing", given->allow_missing, "areas without a part are holes; exit code 3 [off]");
   command->add_flag("--no-report", given->no_report, "do not write report.html [off]");
-  command->add_flag("--labels", given->labels, "leave labels in PLAN for ilot task PLAN label N; of planes [off]");
+  command->add_flag("--labels", given->labels, "leave labels in PLAN for ilot task PLAN label N; not of roofs [off]");
   add_machine_options(*command, given->memory, given->threads);
   command->add_flag("-q,--quiet", given->quiet, "say only what is wrong [off]");
   command->footer("Example: ilot merge plan -o out");

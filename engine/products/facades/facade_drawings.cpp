@@ -8,7 +8,6 @@
 
 #include "engine/columns/colours_pass.h"
 #include "engine/deliverables/pages/facade_files.h"
-#include "engine/formats/file_date.h"
 #include "engine/pass/pass.h"
 #include "engine/products/facades/walls/facade_rows.h"
 
@@ -21,12 +20,11 @@ constexpr std::uint32_t kImageTile = 512;  // pixels: 7 MB per thread
 std::string source_of(const RunInputs& inputs) {
   constexpr std::size_t kNamed = 2;
   std::string text;
-  for (std::size_t i = 0; i < std::min(inputs.readers.size(), kNamed); ++i) {
-    const CloudInfo& info = inputs.readers[i]->info();
-    const std::string date = file_date(info);
-    text += (i == 0 ? "" : ", ") + info.path.filename().string() + (date.empty() ? "" : " (file of " + date + ")");
+  for (std::size_t i = 0; i < std::min(inputs.sources.size(), kNamed); ++i) {
+    const auto& [name, date] = inputs.sources[i];
+    text += (i == 0 ? "" : ", ") + name + (date.empty() ? "" : " (file of " + date + ")");
   }
-  if (inputs.readers.size() > kNamed) text += fmt::format(" and {} more", inputs.readers.size() - kNamed);
+  if (inputs.sources.size() > kNamed) text += fmt::format(" and {} more", inputs.sources.size() - kNamed);
   return text;
 }
 

@@ -37,7 +37,16 @@ ProductLabels labels(ProductRun&) {
 }  // namespace
 
 const Product& facades_product() {
-  static const Product product{"facades", true, false, {16, 12, 1.5}, suits, make, labels, summary, "facades/"};
+  static const Product product{.name = "facades",
+                               .found_among_planes = true,
+                               .reads_colours = true,
+                               .reads_stations = true,
+                               .cost = {16, 12, 1.5},
+                               .suitability = suits,
+                               .make = make,
+                               .labels = labels,
+                               .summary = summary,
+                               .main_file = "facades/"};
   return product;
 }
 

@@ -38,14 +38,12 @@ void write_tables(const ProductRun& run, const PlanesResult& planes) {
   run.record.shapes = planes.curved->size();
 }
 
-// Also runs for products that are found among planes; then without curved shapes, unless these are asked for.
+// Also runs for products that are found among planes.
 void make(ProductRun& run) {
-  Settings settings = run.settings;
-  if (!run.asked("planes") && !settings.planes.curved) {
-    settings.planes.curved = false;
+  const Settings settings = settings_of_planes(run.settings, run.asked("planes"));
+  if (settings.planes.curved != run.settings.planes.curved)
     run.record.chosen.push_back(
         {"planes.curved", std::string("false"), "shapes are looked for with the product planes"});
-  }
   run.planes = std::make_shared<PlanesResult>(
       make_planes(run.store, run.inputs.readers, settings, run.context, run.progress, run.record));
   if (run.outlines_wanted) run.planes->outlines = LargestOutlines(kMostCorners);
@@ -64,8 +62,20 @@ ProductLabels labels(ProductRun& run) {
 
 }  // namespace
 
+Settings settings_of_planes(Settings settings, bool asked) {
+  if (!asked && !settings.planes.curved) settings.planes.curved = false;
+  return settings;
+}
+
 const Product& planes_product() {
-  static const Product product{"planes", false, false, {48, 6, 2.5}, suits, make, labels, summary, "planes.gpkg"};
+  static const Product product{.name = "planes",
+                               .reads_colours = true,
+                               .cost = {48, 6, 2.5},
+                               .suitability = suits,
+                               .make = make,
+                               .labels = labels,
+                               .summary = summary,
+                               .main_file = "planes.gpkg"};
   return product;
 }
 

@@ -104,8 +104,14 @@ ProductLabels labels(ProductRun& run) {
 }  // namespace
 
 const Product& roofs_product() {
-  static const Product product{"roofs", false,  true,    {44, 8, 1.5},           suits,
-                               make,    labels, summary, "roofs/roofs.city.json"};
+  static const Product product{.name = "roofs",
+                               .reads_classes = true,
+                               .cost = {44, 8, 1.5},
+                               .suitability = suits,
+                               .make = make,
+                               .labels = labels,
+                               .summary = summary,
+                               .main_file = "roofs/roofs.city.json"};
   return product;
 }
 

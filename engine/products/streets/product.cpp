@@ -35,8 +35,13 @@ ProductLabels labels(ProductRun&) {
 }  // namespace
 
 const Product& streets_product() {
-  static const Product product{"streets", false,  false,   {30, 8, 1.0},          suits,
-                               make,      labels, summary, "streets/objects.gpkg"};
+  static const Product product{.name = "streets",
+                               .cost = {30, 8, 1.0},
+                               .suitability = suits,
+                               .make = make,
+                               .labels = labels,
+                               .summary = summary,
+                               .main_file = "streets/objects.gpkg"};
   return product;
 }
 

@@ -8,6 +8,7 @@
 #include "engine/formats/arrays/array_reader.h"
 #include "engine/formats/crs.h"
 #include "engine/formats/file.h"
+#include "engine/formats/file_date.h"
 #include "engine/pass/pass.h"
 #include "engine/run/inputs/input_crs.h"
 #include "engine/run/inputs/read_edits.h"
@@ -99,6 +100,8 @@ RunInputs open_inputs(const RunOptions& options, Progress& progress, RunRecord& 
   }
   if (inputs.readers.empty()) throw Error("none of the inputs can be used; see the lines above");
   note_dialects(inputs, progress);
+  for (const auto& reader : inputs.readers)
+    inputs.sources.push_back({reader->info().path.filename().string(), file_date(reader->info())});
   const double height_factor = resolve_crs(inputs, options, progress, record);
   if (!options.stations.empty()) {
     inputs.stations = read_stations(options.stations);

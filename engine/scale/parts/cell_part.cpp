@@ -9,6 +9,7 @@
 #include "engine/pass/pass.h"
 #include "engine/products/planes/cells/planes_pass.h"
 #include "engine/scale/parts/cell_records.h"
+#include "engine/scale/plan_products.h"
 
 namespace ilot {
 
@@ -21,19 +22,23 @@ std::int64_t halo_of_cells(const Settings& settings, double unit_metres) {
 std::uint64_t write_cells(const Store& store, const RunInputs& inputs, const Plan& plan, const PlanArea& area,
                           const PassContext& context, Progress& progress, RecordFileWriter& part) {
   if (store.points() == 0) return 0;
-  progress.begin_stage("normals", store.points());
-  normals_pass(store, plan.settings.normals, context);
+  const bool planes = searches_planes(plan);
+  if (planes) {
+    progress.begin_stage("normals", store.points());
+    normals_pass(store, plan.settings.normals, context);
+  }
   std::vector<Cell> cells = canonical_cells(store, context.metres_per_unit);
   std::erase_if(cells, [&](const Cell& cell) { return !area.own.contains(cell.node.min_corner()); });
   std::uint64_t points = 0;
   for (const Cell& cell : cells) points += cell.points;
-  progress.begin_stage("planes", points);
-  const bool coloured = plan.settings.planes.colour_classes > 0 && colours_pass(store, inputs.readers, context);
-  planes_pass(store, cells, plan.settings, context);
+  progress.begin_stage("cells", points);
+  if (planes) planes_pass(store, cells, settings_of_cells(plan), context);
+  if (carries_colours(plan)) colours_pass(store, inputs.readers, context);
+  if (carries_stations(plan, area)) stations_pass(store, inputs.readers, inputs.row_stations, context);
   progress.end_stage();
   for (const Cell& cell : cells) {
     stop_if_asked();
-    part.add(record_of(read_cell(store, cell, coloured)));
+    part.add(record_of(read_cell(store, cell)));
   }
   return cells.size();
 }

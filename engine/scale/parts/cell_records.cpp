@@ -30,9 +30,11 @@ std::vector<T> values_of(const json& record, const char* name) {
   return values;
 }
 
+// Empty where the store does not have the column.
 template <class T>
 std::vector<T> read_column_of(const Store& store, const Cell& cell, const Column<T>& column) {
   std::vector<T> values;
+  if (!store.has(cell.slices.front().block, column)) return values;
   for (const CellSlice& s : cell.slices) {
     const std::vector<T> part = store.read(s.block, column, s.first, s.count);
     values.insert(values.end(), part.begin(), part.end());
@@ -46,16 +48,15 @@ std::vector<std::byte> content_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-CellRecord read_cell(const Store& store, const Cell& cell, bool coloured) {
-  CellRecord r{cell.node,
-               read_column_of(store, cell, columns::kCodes),
-               read_column_of(store, cell, columns::kOrder),
-               read_column_of(store, cell, columns::kNormals),
-               {},
-               content_of(cell_path(store, cell)),
-               content_of(shapes_path(store, cell))};
-  if (coloured) r.colours = read_column_of(store, cell, columns::kColour);
-  return r;
+CellRecord read_cell(const Store& store, const Cell& cell) {
+  return {cell.node,
+          read_column_of(store, cell, columns::kCodes),
+          read_column_of(store, cell, columns::kOrder),
+          read_column_of(store, cell, columns::kNormals),
+          read_column_of(store, cell, columns::kColour),
+          read_column_of(store, cell, columns::kStation),
+          content_of(cell_path(store, cell)),
+          content_of(shapes_path(store, cell))};
 }
 
 json record_of(const CellRecord& cell) {
@@ -65,6 +66,7 @@ json record_of(const CellRecord& cell) {
           {"order", bytes_json(cell.order)},
           {"normals", bytes_json(cell.normals)},
           {"colours", bytes_json(cell.colours)},
+          {"stations", bytes_json(cell.stations)},
           {"planes", bytes_json(cell.planes)},
           {"shapes", bytes_json(cell.shapes)}};
 }
@@ -78,11 +80,13 @@ CellRecord cell_record(const json& record) {
                values_of<InputOrder>(record, "order"),
                values_of<PackedNormal>(record, "normals"),
                values_of<StoredColour>(record, "colours"),
+               values_of<StationNumber>(record, "stations"),
                values_of<std::byte>(record, "planes"),
                values_of<std::byte>(record, "shapes")};
   const std::size_t points = r.codes.size();
-  const bool whole = points > 0 && r.order.size() == points && r.normals.size() == points && !r.planes.empty() &&
-                     (r.colours.empty() || r.colours.size() == points);
+  const auto fits = [points](const auto& values) { return values.empty() || values.size() == points; };
+  const bool whole = points > 0 && r.order.size() == points && fits(r.normals) && fits(r.colours) && fits(r.stations) &&
+                     r.normals.empty() == r.planes.empty();
   const bool inside = whole && r.node.level >= 0 && r.node.level <= kTileBits && std::ranges::is_sorted(r.codes) &&
                       r.codes.front() >= r.node.first_code && r.codes.back() <= r.node.last_code();
   if (!inside) throw Error("the fields of a cell do not belong together");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cells of a task of planes as records: the points of a cell, and everything that was found in it.
+// The cells of a task as records: the points of a cell, and everything that was found in it.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -8,24 +8,26 @@
 #include <vector>
 
 #include "engine/columns/colours_pass.h"
+#include "engine/columns/stations_pass.h"
 #include "engine/products/planes/cells/cells.h"
 #include "kernels/neighbours/normals.h"
 
 namespace ilot {
 
-// One value of each list for each point, in global order.
+// One value of each list for each point, in global order. Lists that the products of the plan do not need are empty.
 struct CellRecord {
   Node node;
   std::vector<std::uint64_t> codes;
   std::vector<InputOrder> order;  // with places in the list of inputs of the area
   std::vector<PackedNormal> normals;
-  std::vector<StoredColour> colours;  // empty where no input of the area has colours
-  std::vector<std::byte> planes;      // the content of cell_path()
-  std::vector<std::byte> shapes;      // the content of shapes_path(); empty where there is none
+  std::vector<StoredColour> colours;    // empty where no input of the area has colours
+  std::vector<StationNumber> stations;  // empty where no input of the area has them in its rows
+  std::vector<std::byte> planes;        // the content of cell_path()
+  std::vector<std::byte> shapes;        // the content of shapes_path(); empty where there is none
 };
 
-// Reads a cell from a store in which planes_pass has worked.
-CellRecord read_cell(const Store& store, const Cell& cell, bool coloured);
+// Reads a cell with all that its store has of it.
+CellRecord read_cell(const Store& store, const Cell& cell);
 
 nlohmann::json record_of(const CellRecord& cell);
 

@@ -13,6 +13,7 @@
 #include "engine/products/planes/cells/planes_pass.h"
 #include "engine/scale/parts/cell_records.h"
 #include "engine/scale/parts/part_file.h"
+#include "engine/scale/plan_products.h"
 #include "engine/scale/records.h"
 
 namespace ilot {
@@ -25,6 +26,12 @@ constexpr std::uint64_t kBytesToUnpack = std::uint64_t{48} << 20;
 
 constexpr const char* kNormalsOfCell = ".normals";
 constexpr const char* kColoursOfCell = ".colours";
+constexpr const char* kStationsOfCell = ".stations";
+
+// Which of the columns that not all parts have is in one of them.
+struct Carried {
+  std::atomic<bool> colours = false, stations = false;
+};
 
 fs::path carried(const Store& store, const Node& node, const char* suffix) {
   return store.folder() / "carried" / (node.name() + suffix);
@@ -32,7 +39,7 @@ fs::path carried(const Store& store, const Node& node, const char* suffix) {
 
 // The points of the cell go to the run, all else to files of its own. `inputs` are those of its area.
 void unpack_cell(const CellRecord& r, std::span<const std::uint32_t> inputs, const Store& store, SortedRunWriter& run,
-                 std::atomic<bool>& coloured) {
+                 Carried& any) {
   std::vector<KeyValue> points(r.codes.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::uint32_t place = file_of(r.order[i]);
@@ -41,17 +48,19 @@ void unpack_cell(const CellRecord& r, std::span<const std::uint32_t> inputs, con
   }
   run.add(r.node.tile, points);
   const Cell cell{r.node, 0, {}};
-  write_column<PackedNormal>(carried(store, r.node, kNormalsOfCell), r.normals);
-  if (!r.colours.empty()) {
-    write_column<StoredColour>(carried(store, r.node, kColoursOfCell), r.colours);
-    coloured = true;
-  }
-  if (!r.shapes.empty()) write_column<std::byte>(shapes_path(store, cell), r.shapes);
-  write_column<std::byte>(cell_path(store, cell), r.planes);
+  const auto keep = [&]<class T>(const std::filesystem::path& path, const std::vector<T>& values) {
+    if (!values.empty()) write_column<T>(path, values);
+    return !values.empty();
+  };
+  keep(carried(store, r.node, kNormalsOfCell), r.normals);
+  if (keep(carried(store, r.node, kColoursOfCell), r.colours)) any.colours = true;
+  if (keep(carried(store, r.node, kStationsOfCell), r.stations)) any.stations = true;
+  keep(shapes_path(store, cell), r.shapes);
+  keep(cell_path(store, cell), r.planes);
 }
 
 SortedRun unpack_part(const fs::path& part, std::span<const std::uint32_t> inputs, const Store& store,
-                      const fs::path& stem, std::atomic<bool>& coloured) {
+                      const fs::path& stem, Carried& any) {
   SortedRunWriter run(stem);
   RecordFileReader file(part);
   std::optional<Node> last;
@@ -63,7 +72,7 @@ SortedRun unpack_part(const fs::path& part, std::span<const std::uint32_t> input
       if (last && !(before(*last, cell.node) && !last->contains(cell.node)))
         throw Error(part.string() + ": its cells are not in order");
       last = cell.node;
-      unpack_cell(cell, inputs, store, run, coloured);
+      unpack_cell(cell, inputs, store, run, any);
     }
   } catch (const nlohmann::json::exception&) {
     throw Error(part.string() + ": is damaged; remove it and run its task again");
@@ -90,6 +99,14 @@ void spread(const Store& store, const std::vector<Cell>& cells, const Column<T>&
   });
 }
 
+void check_cells(const Store& store, const std::vector<Cell>& cells) {
+  for (const Cell& cell : cells) {
+    const fs::path normals = carried(store, cell.node, kNormalsOfCell);
+    if (!fs::exists(normals) || ColumnReader<PackedNormal>(normals).size() != cell.points)
+      throw Error("the parts do not have the cells of one run; remove them and run the tasks again");
+  }
+}
+
 }  // namespace
 
 Store store_of_parts(const fs::path& parts, std::span<const std::uint64_t> areas, const Plan& plan,
@@ -97,23 +114,22 @@ Store store_of_parts(const fs::path& parts, std::span<const std::uint64_t> areas
   for (const char* name : {"runs", "blocks", "cells", "carried"}) fs::create_directories(folder / name);
   const Store empty(folder, plan.lattice.unit, {});
   std::vector<SortedRun> runs(areas.size());
-  std::atomic<bool> coloured = false;
+  Carried any;
   run_pass(std::vector<PassTask>(areas.size(), {kBytesToUnpack, 1}), context.budget_bytes, [&](std::size_t i) {
     runs[i] = unpack_part(parts / std::to_string(areas[i]), plan.areas[areas[i] - 1].inputs, empty,
-                          folder / "runs" / std::to_string(i), coloured);
+                          folder / "runs" / std::to_string(i), any);
   });
   IndexParams params;
   params.block_points = block_points;
   Store store(folder, plan.lattice.unit, build_blocks(runs, params, {}, folder, context));
   fs::remove_all(folder / "runs");
-  const std::vector<Cell> cells = canonical_cells(store, context.metres_per_unit);
-  for (const Cell& cell : cells) {
-    const fs::path normals = carried(store, cell.node, kNormalsOfCell);
-    if (!fs::exists(normals) || ColumnReader<PackedNormal>(normals).size() != cell.points)
-      throw Error("the parts do not have the cells of one run; remove them and run the tasks again");
+  if (searches_planes(plan)) {
+    const std::vector<Cell> cells = canonical_cells(store, context.metres_per_unit);
+    check_cells(store, cells);
+    spread(store, cells, columns::kNormals, kNormalsOfCell, PackedNormal{}, context);
+    if (any.colours) spread(store, cells, columns::kColour, kColoursOfCell, kNoColour, context);
+    if (any.stations) spread(store, cells, columns::kStation, kStationsOfCell, StationNumber{0}, context);
   }
-  spread(store, cells, columns::kNormals, kNormalsOfCell, PackedNormal{}, context);
-  if (coloured) spread(store, cells, columns::kColour, kColoursOfCell, kNoColour, context);
   fs::remove_all(folder / "carried");
   return store;
 }

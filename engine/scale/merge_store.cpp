@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/scale/merge_planes.h"
+#include "engine/scale/merge_store.h"
 
-#include <array>
+#include <algorithm>
 #include <string>
 
 #include "engine/error.h"
@@ -9,11 +9,13 @@
 #include "engine/pass/kept_columns.h"
 #include "engine/pass/resident.h"
 #include "engine/products/planes/make_planes.h"
-#include "engine/products/planes/product.h"
+#include "engine/products/streets/make_streets.h"
 #include "engine/run/memory_budget.h"
+#include "engine/run/products.h"
 #include "engine/run/run_context.h"
 #include "engine/scale/label_store.h"
 #include "engine/scale/parts/cell_store.h"
+#include "engine/scale/task_inputs.h"
 #include "engine/store/flushed.h"
 #include "kernels/core/parallel.h"
 
@@ -21,16 +23,14 @@ namespace ilot {
 
 namespace fs = std::filesystem;
 
-void merge_planes(const MergeOptions& options, const Plan& plan, const std::vector<std::uint64_t>& areas,
-                  const fs::path& folder, const fs::path& staging, Progress& progress, RunRecord& record) {
+void merge_store(const MergeOptions& options, const Plan& plan, const std::vector<std::uint64_t>& areas,
+                 const fs::path& folder, const fs::path& staging, Progress& progress, RunRecord& record) {
   RunOptions run;
   run.memory_bytes = options.memory_bytes;
   run.settings = plan.settings;
   run.products = plan.products;
   run.clouds = false;
-  RunInputs inputs;  // none is opened: the parts have all that is needed
-  inputs.crs = plan.crs;
-  inputs.points = plan.points;
+  const RunInputs inputs = frozen_inputs(plan);  // none is opened: the parts have all that is needed
   set_memory_limit(memory_to_fill(run));
   const KeptColumns kept;
   fs::remove_all(folder);
@@ -44,18 +44,21 @@ void merge_planes(const MergeOptions& options, const Plan& plan, const std::vect
   const Store store = store_of_parts(options.plan / kPartsFolder, areas, plan, block_points, folder, context);
   progress.end_stage();
   if (store.points() == 0) throw Error(options.plan.string() + ": the parts have no points");
+  const StreetTraining training;
   ProductRun work{.store = store,
                   .inputs = inputs,
                   .settings = plan.settings,
                   .context = context,
-                  .asked = [](const char* product) { return std::string(product) == planes_product().name; },
+                  .training = &training,
+                  .asked = [&](const char* product) { return std::ranges::count(plan.products, product) > 0; },
                   .folder = staging,
                   .progress = progress,
                   .record = record};
-  planes_product().make(work);
-  const LabelledPlanes planes{options.labels ? work.planes->planes : std::vector<JoinedPlane>{},
-                              work.planes->curved.has_value()};
-  const std::array<ProductLabels, 1> labels{planes_product().labels(work)};
+  const std::vector<const Product*> products = products_to_make(plan.products);
+  make_all(products, work);
+  std::optional<LabelledPlanes> planes;
+  if (options.labels && work.planes) planes = {work.planes->planes, work.planes->curved.has_value()};
+  const std::vector<ProductLabels> labels = labels_of(products, work);
   record.points.labelled = count_labelled(store, labels, context);
   record.points.unlabelled = record.points.read - record.points.rejected_total() - record.points.labelled;
   record.blocks = store.blocks().size();

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Planes and labelled clouds of a district in tiles, by two workers that are killed at random, in areas of two sizes: the
-bytes of one run. Prints the processor seconds of each step. ILOT_EXE is the program; ILOT_POINTS and ILOT_SEED choose the
-district."""
+"""Planes, facades and streets, with labelled clouds, of scenes in tiles, by two workers that are killed at random, in areas
+of two sizes: the bytes of one run. Prints the processor seconds of each step. ILOT_EXE is the program; ILOT_POINTS and
+ILOT_SEED choose the scenes; with ILOT_DATA a real street too."""
 import json
 import os
 import pathlib
@@ -17,8 +17,15 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "run"))
 from support import EXE, Las  # noqa: E402
 
 POINTS, SEED = int(os.environ.get("ILOT_POINTS", "2000000")), int(os.environ.get("ILOT_SEED", "3"))
-TILE = 150_000  # raw units of the scan: millimetres
 KILLS = 3
+# scene, products, side of a tile in millimetres, sides of areas in metres
+CASES = (("district", "planes", 150_000, (300, 100)),
+         ("facade-haussmann", "facades", 9_000, (100, 33)),
+         ("row-wild", "facades", 20_000, (100, 33)),
+         ("street", "streets", 300_000, (500, 200)),
+         ("street-air", "streets", 300_000, (500, 200)),
+         ("street-wild", "planes,facades,streets", 40_000, (100, 33)))
+REAL = ("amsterdam/run2_sidewalk_2386_9702.laz", "planes,facades,streets", 20_000, (100, 33))
 
 
 def ilot(*command, code=(0,)):
@@ -34,16 +41,17 @@ def seconds(work):
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
-def tiles_of(folder):
-    """The district as LAZ tiles."""
-    ilot("scan", "district", "-o", folder / "district.las", "--points", POINTS, "--seed", SEED, "-q")
-    las, tiles = Las.read(folder / "district.las"), {}
+def tiles_of(folder, cloud, side):
+    """The cloud as LAZ tiles."""
+    ilot("convert", cloud, folder / "cloud.las")
+    las, tiles = Las.read(folder / "cloud.las"), {}
+    side = round(side / 1000 / las.scale[0])
     for record, (x, y, _) in zip(las.records(), las.raw()):
-        tiles.setdefault((x // TILE, y // TILE), []).append(record)
+        tiles.setdefault((x // side, y // side), []).append(record)
     (folder / "tiles").mkdir()
     for n, place in enumerate(sorted(tiles)):
         las.write(folder / "tile.las", tiles[place])
-        ilot("convert", folder / "tile.las", folder / f"tiles/{n:03}.laz")
+        ilot("convert", folder / "tile.las", folder / f"tiles/{n:03}.laz", "--overwrite")
     return folder / "tiles"
 
 
@@ -80,32 +88,48 @@ def run_all(tasks, rng):
         thread.join()
 
 
-def compare(folder, tiles, one, size, rng):
+def compare(folder, tiles, options, one, size, rng):
     plan, out = folder / f"plan-{size}", folder / f"out-{size}"
-    spent = {"plan": seconds(lambda: ilot("plan", tiles, "-o", plan, "--products", "planes", "--area-size", size, "--threads", 1))}
+    spent = {"plan": seconds(lambda: ilot("plan", tiles, "-o", plan, *options, "--area-size", size, "--threads", 1))}
     areas = [area["area"] for area in json.loads((plan / "plan.json").read_text())["areas"]]
     spent["tasks"] = seconds(lambda: run_all([("task", plan, n) for n in areas], rng))
-    spent["merge"] = seconds(lambda: ilot("merge", plan, "-o", out, "--labels", "--no-report", "--threads", 1))
+    spent["merge"] = seconds(lambda: ilot("merge", plan, "-o", out, "--labels", "--no-report", "--threads", 1, code=(0, 3)))
     spent["clouds"] = seconds(lambda: run_all([("task", plan, "label", n + 1, "-o", out) for n in range(len(list(tiles.iterdir())))],
                                               rng))
     merged = json.loads((out / "run.json").read_text())
     parts = sum(part.stat().st_size for part in (plan / "parts").iterdir() if not part.name.startswith("."))
-    print(f"{len(areas)} areas of about {size} m: " + ", ".join(f"{name} {value:.1f} s" for name, value in spent.items()) +
+    print(f"  {len(areas)} areas of about {size} m: " + ", ".join(f"{name} {value:.1f} s" for name, value in spent.items()) +
           f"; parts {parts / 1e6:.0f} MB, merge {merged['peak_rss_bytes'] >> 20} MiB", flush=True)
     for key in ("result_hash", "results", "counts", "inputs"):
         if merged[key] != one[key]:
             sys.exit(f"{size} m: {key} differs")
 
 
-def main():
-    with tempfile.TemporaryDirectory(prefix="ilot-planes-") as name:
-        folder, rng = pathlib.Path(name), random.Random(SEED)
-        tiles = tiles_of(folder)
-        spent = seconds(lambda: ilot("run", tiles, "-o", folder / "one", "--products", "planes", "--no-report", "--threads", 1))
+def check(name, cloud, products, side, sizes, stations=()):
+    """Compares one run over the cloud in tiles with plans."""
+    with tempfile.TemporaryDirectory(prefix="ilot-plans-") as temporary:
+        folder, rng = pathlib.Path(temporary), random.Random(SEED)
+        tiles, options = tiles_of(folder, cloud, side), ("--products", products, *stations)
+        spent = seconds(lambda: ilot("run", tiles, "-o", folder / "one", *options, "--no-report", "--threads", 1, code=(0, 3)))
         one = json.loads((folder / "one/run.json").read_text())
-        print(f"{len(list(tiles.iterdir()))} tiles, {POINTS:,} points, {one['counts']['planes']} planes: one run {spent:.1f} s")
-        for size in (300, 100):
-            compare(folder, tiles, one, size, rng)
+        print(f"{name}: {len(list(tiles.iterdir()))} tiles, {one['counts']['points']['read']:,} points, {products}: "
+              f"one run {spent:.1f} s", flush=True)
+        for size in sizes:
+            compare(folder, tiles, options, one, size, rng)
+
+
+def main():
+    for scene, *case in CASES:
+        with tempfile.TemporaryDirectory(prefix="ilot-scene-") as temporary:
+            cloud = pathlib.Path(temporary) / "scene.las"
+            stations = cloud.with_suffix(".stations.csv")
+            ilot("scan", scene, "-o", cloud, "--points", POINTS, "--seed", SEED, "-q")
+            check(scene, cloud, *case, stations=("--stations", stations) if stations.exists() else ())
+    data = os.environ.get("ILOT_DATA")
+    if data:
+        check(REAL[0], pathlib.Path(data) / REAL[0], *REAL[1:])
+    else:
+        print("SKIPPED: the real street needs ILOT_DATA")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/scale/merge_roofs.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <queue>
+
+#include "engine/error.h"
+#include "engine/pass/pass.h"
+#include "engine/products/roofs/footprint_outcome.h"
+#include "engine/products/roofs/make_roofs.h"
+#include "engine/products/roofs/product.h"
+#include "engine/products/roofs/roof_sink.h"
+#include "engine/scale/parts/part_file.h"
+#include "engine/scale/records.h"
+#include "engine/scale/site_records.h"
+
+namespace ilot {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The own sites of an area, front to back, which is the order of their numbers.
+class OwnSites {
+ public:
+  OwnSites(const fs::path& path, std::size_t buffer) : path_(path), file_(path, buffer) {}
+  std::optional<NumberedSite> next() {
+    try {
+      while (const auto record = file_.next())
+        if (NumberedSite site = numbered_site(*record); site.own) return site;
+    } catch (const nlohmann::json::exception&) {
+      throw Error(path_.string() + ": is damaged; make the plan again");
+    }
+    return std::nullopt;
+  }
+
+ private:
+  fs::path path_;
+  RecordFileReader file_;
+};
+
+// A building with what the plan knows of its site.
+struct MergedSite {
+  std::uint64_t number = 0;
+  bool outside = false;
+  BuiltSite built;
+};
+
+// The buildings of one part, one for each own site of the area.
+class PartReader {
+ public:
+  PartReader(const fs::path& plan, const std::string& area, std::size_t buffer)
+      : path_(plan / kPartsFolder / area), sites_(plan / kSitesFolder / area, buffer), file_(path_, buffer) {
+    advance();
+  }
+  bool ended() const { return ended_; }
+  std::uint64_t number() const { return next_.number; }
+  MergedSite take() {
+    MergedSite site = std::move(next_);
+    advance();
+    return site;
+  }
+  const ShiftCounts& shifts() const { return shifts_; }
+
+ private:
+  [[noreturn]] void damaged() const { throw Error(path_.string() + ": is damaged; remove it and run its task again"); }
+
+  void advance() {
+    try {
+      const auto record = file_.next();
+      const auto site = sites_.next();
+      ended_ = !record || is_summary(*record);
+      if (ended_ == site.has_value()) damaged();  // not one building for each site
+      if (record && ended_) {
+        shifts_ = summary_of(*record).shifts;
+        file_.next();  // the end, which proves that the file is whole
+      }
+      if (!ended_) next_ = {site->number, site->outside, built_site(*record)};
+    } catch (const nlohmann::json::exception&) {
+      damaged();
+    }
+  }
+
+  fs::path path_;
+  OwnSites sites_;
+  RecordFileReader file_;
+  MergedSite next_;
+  ShiftCounts shifts_;
+  bool ended_ = false;
+};
+
+// What a merge keeps of all sites until the last part is read.
+struct Merged {
+  SiteNames names;
+  ShiftCounts shifts;
+  std::uint64_t labelled = 0;
+};
+
+// Hands the buildings of all parts to the sink in the order of their numbers.
+Merged merge_buildings(const MergeOptions& options, const Plan& plan, const std::vector<std::uint64_t>& areas,
+                       RoofSink& sink, Progress& progress) {
+  // Choice: some records fit, and 10,000 parts take 320 MiB at most; with fewer parts each gets more.
+  constexpr std::size_t kLeastBuffer = 1u << 15, kMostBuffer = 1u << 20, kAllBuffers = 64u << 20;
+  const std::size_t buffer = std::clamp(kAllBuffers / areas.size(), kLeastBuffer, kMostBuffer);
+  std::vector<std::unique_ptr<PartReader>> parts;
+  using Next = std::pair<std::uint64_t, std::size_t>;
+  std::priority_queue<Next, std::vector<Next>, std::greater<>> order;
+  for (const std::uint64_t area : areas) {
+    parts.push_back(std::make_unique<PartReader>(options.plan, std::to_string(area), buffer));
+    if (!parts.back()->ended()) order.push({parts.back()->number(), parts.size() - 1});
+  }
+  progress.begin_stage("merge", plan.roofs.sites, {plan.roofs.sites, "buildings"});
+  Merged merged;
+  while (!order.empty()) {
+    stop_if_asked();
+    const std::size_t n = order.top().second;
+    order.pop();
+    MergedSite site = parts[n]->take();
+    if (!parts[n]->ended()) order.push({parts[n]->number(), n});
+    merged.labelled += site.built.labelled;
+    ++merged.names.sites;
+    const std::string& id = site.built.result.levels.at(0).id;
+    if (site.built.result.status == RoofStatus::footprint_only) {
+      merged.names.all.insert(id);
+      if (site.outside) merged.names.beyond.insert(id);
+    }
+    sink.take(site.built.result);
+    progress.advance(1);
+  }
+  for (const auto& part : parts) add(merged.shifts, part->shifts());
+  progress.end_stage();
+  return merged;
+}
+
+}  // namespace
+
+void merge_roofs(const MergeOptions& options, const Plan& plan, const std::vector<std::uint64_t>& areas,
+                 const fs::path& staging, Progress& progress, RunRecord& record) {
+  const fs::path folder = staging / "roofs";
+  fs::create_directories(folder);
+  RoofSink sink(folder, roof_files_params(plan.roofs.frame, plan.settings, plan.crs), plan.crs, nullptr, record);
+  const Merged merged = merge_buildings(options, plan, areas, sink, progress);
+  sink.finish();
+  // A point in two outlines counts for both buildings.
+  const std::uint64_t usable = record.points.read - record.points.rejected_total();
+  record.points.labelled = std::min(merged.labelled, usable);
+  record.points.unlabelled = usable - record.points.labelled;
+  if (plan.roofs.footprints) {
+    record_misalignment(merged.shifts, progress, record);
+    resolve_skipped_footprints(merged.names, progress, record);
+  }
+  if (record.roofs->buildings == (record.footprints ? record.footprints->outside.size() : 0)) {
+    const std::string reason = why_no_building({}, false, false);
+    record.skipped.push_back({"product", roofs_product().name, reason});
+    progress.unit_skipped(roofs_product().name, reason);
+  }
+}
+
+}  // namespace ilot

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/scale/plan_products.h"
+
+#include <algorithm>
+
+#include "engine/error.h"
+#include "engine/products/planes/product.h"
+#include "engine/products/roofs/product.h"
+#include "engine/report/counted.h"
+#include "engine/run/products.h"
+
+namespace ilot {
+namespace {
+
+bool asks_for(const std::vector<std::string>& products, const Product& product) {
+  return std::ranges::find(products, product.name) != products.end();
+}
+
+bool any(const Plan& plan, bool Product::*needs) {
+  return std::ranges::any_of(products_to_make(plan.products), needs);
+}
+
+void check_planes(const RunOptions& run) {
+  if (std::ranges::count(products_to_make(run.products), &planes_product()) == 0) return;
+  if (run.settings.planes.method == PlaneMethod::colour_ransac)
+    throw Error(
+        "planes.method = colour_ransac: its classes of colours depend on all points, and a plan does not "
+        "freeze them; make planes with ilot run",
+        ExitCode::usage);
+}
+
+}  // namespace
+
+void check_products(const RunOptions& run) {
+  const bool roofs = asks_for(run.products, roofs_product());
+  if (roofs && run.products.size() != 1)
+    throw Error("--products: roofs are made in other areas than the other products; make one plan for roofs alone",
+                ExitCode::usage);
+  if (run.settings.roofs.dtm)
+    throw Error("roofs.dtm: a plan makes no terrain model; make it with ilot run", ExitCode::usage);
+  if (roofs && run.settings.classes.write)
+    throw Error("classes.write: a plan of roofs writes no clouds; leave it out", ExitCode::usage);
+  if (!roofs && !run.footprints.empty())
+    throw Error("--footprints " + run.footprints.string() + ": only the product roofs reads it; leave it out",
+                ExitCode::usage);
+  check_planes(run);
+}
+
+bool is_of_roofs(const Plan& plan) {
+  return asks_for(plan.products, roofs_product());
+}
+
+bool searches_planes(const Plan& plan) {
+  return std::ranges::count(products_to_make(plan.products), &planes_product()) > 0;
+}
+
+Settings settings_of_cells(const Plan& plan) {
+  return settings_of_planes(plan.settings, asks_for(plan.products, planes_product()));
+}
+
+bool carries_colours(const Plan& plan) {
+  return any(plan, &Product::reads_colours);
+}
+
+bool carries_stations(const Plan& plan, const PlanArea& area) {
+  const auto told_by_rows = [&](std::uint32_t input) {
+    const InputStations& stations = plan.inputs[input].stations;
+    return stations.of_all == 0 && !stations.of_source.empty();
+  };
+  return plan.stations.size() > 1 && any(plan, &Product::reads_stations) &&
+         std::ranges::any_of(area.inputs, told_by_rows);
+}
+
+std::uint64_t part_bytes_of_point(const Plan& plan) {
+  // Derived: code and place in the inputs; normal and label where planes are searched, and little for the planes.
+  constexpr std::uint64_t kOfPoint = 16, kOfPlanes = 12;
+  return kOfPoint + (searches_planes(plan) ? kOfPlanes : 0);
+}
+
+double microseconds_of_point(const Plan& plan) {
+  if (is_of_roofs(plan)) return roofs_product().cost.microseconds;
+  return searches_planes(plan) ? planes_product().cost.microseconds : 0;
+}
+
+std::string what_is_made(const Plan& plan) {
+  if (is_of_roofs(plan)) return counted(plan.roofs.sites, "building");
+  std::string text;
+  for (const std::string& product : plan.products) text += (text.empty() ? "" : ", ") + product;
+  return text;
+}
+
+}  // namespace ilot

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the products of a plan need of its tasks and its merge. There are plans of two kinds. In a plan of roofs each
+// building is made whole by the task of its area. In all others the tasks do what depends on points near by, and leave
+// the points; the merge makes one store of them and goes on with the functions of a run.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "engine/run/options.h"
+#include "engine/scale/plan.h"
+
+namespace ilot {
+
+// Throws Error with ExitCode::usage where a plan cannot promise the bytes of one run.
+void check_products(const RunOptions& run);
+
+bool is_of_roofs(const Plan& plan);
+
+// Whether the tasks search planes in cells, and with which settings.
+bool searches_planes(const Plan& plan);
+Settings settings_of_cells(const Plan& plan);
+
+// Whether the parts have the colours of points, and whether that of this area has their stations. Where an input has
+// one station the plan knows it, so that its points need none.
+bool carries_colours(const Plan& plan);
+bool carries_stations(const Plan& plan, const PlanArea& area);
+
+// The bytes that a part has for each point, about.
+std::uint64_t part_bytes_of_point(const Plan& plan);
+
+// The microseconds of one processor that a task needs for each point, beside reading.
+double microseconds_of_point(const Plan& plan);
+
+// What the plan is of, for people: "planes, facades", or "12 buildings".
+std::string what_is_made(const Plan& plan);
+
+}  // namespace ilot
