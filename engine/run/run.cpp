@@ -178,17 +178,16 @@ void make_products(const RunOptions& options, const RunInputs& inputs, const std
 
   std::filesystem::create_directories(out.staging());
   const std::vector<const Product*> products = products_to_make(options.products);
-  ProductRun work{index.store,
-                  inputs,
-                  options.settings,
-                  context,
-                  options.footprints.empty() ? nullptr : &sites,
-                  &training,
-                  [&](const char* product) { return makes(options, product); },
-                  false,
-                  out.staging(),
-                  progress,
-                  record};
+  ProductRun work{.store = index.store,
+                  .inputs = inputs,
+                  .settings = options.settings,
+                  .context = context,
+                  .footprints = options.footprints.empty() ? nullptr : &sites,
+                  .training = &training,
+                  .asked = [&](const char* product) { return makes(options, product); },
+                  .folder = out.staging(),
+                  .progress = progress,
+                  .record = record};
   make_all(products, work);
   const std::vector<ProductLabels> labels = labels_of(products, work);
 

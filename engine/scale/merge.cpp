@@ -88,6 +88,17 @@ void check_output(const fs::path& out) {
                   ExitCode::usage);
 }
 
+// Adds what is known of the finished files, and writes run.json beside them.
+void finish_record(const fs::path& staging, const Progress& progress, RunRecord& record) {
+  record.exit = record.skipped.empty() ? ExitCode::ok : ExitCode::incomplete;
+  for (const std::string& name : product_files(staging))
+    record.results.push_back({name, fs::file_size(staging / name)});
+  record.result_hash = result_hash(staging);
+  record.stages = progress.stages();
+  record.peak_rss_bytes = peak_resident_bytes();
+  write_run_json(record, staging);
+}
+
 int merge_in_arena(const MergeOptions& options, Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   const Plan plan = read_plan(options.plan);
@@ -112,16 +123,10 @@ int merge_in_arena(const MergeOptions& options, Progress& progress) {
     merge_roofs(options, plan, areas, staging, progress, record);
   else
     merge_store(options, plan, areas, beside ? beside->path() / "store" : out / ".store", staging, progress, record);
-  record.exit = record.skipped.empty() ? ExitCode::ok : ExitCode::incomplete;
-  for (const std::string& name : product_files(staging))
-    record.results.push_back({name, fs::file_size(staging / name)});
-  record.result_hash = result_hash(staging);
-  record.stages = progress.stages();
   record.threads = roofs ? 1 : thread_count();
   if (!roofs) record.memory_bytes = options.memory_bytes;
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  record.peak_rss_bytes = peak_resident_bytes();
-  write_run_json(record, staging);
+  finish_record(staging, progress, record);
   swap_result(out, {});
   if (beside) publish_labels(beside->path() / "store", plan, options.plan, record.result_hash);
   std::string text = product_lines(plan.products, record, out) + "all      " + counted(areas.size(), "part");
