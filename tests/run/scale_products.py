@@ -3,6 +3,7 @@
 """Facades and streets of one run and of a plan have the same bytes: with stations that rows tell, that files are called
 after, and without; alone and together with planes, with labelled clouds; when an input changed."""
 import json
+import shutil
 
 from plan_support import PlanTest
 from support import Las, ilot, main
@@ -63,7 +64,16 @@ class PlanOfFacades(FacadesTest):
         path, _ = self.row()
         self.assertGreaterEqual(self.equal(self.one_run(path), path, 60), 2)
 
-    def test_an_input_changed(self):
+    def updated(self, plan, *options):
+        """An update of the plan, and the areas that are left to do."""
+        second = self.folder / f"{plan.name}-later"
+        done = ilot("plan", "-o", second, "--update", plan, *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        areas = [area["area"] for area in json.loads((second / "plan.json").read_text())["areas"]]
+        return second, [n for n in areas if not (second / f"parts/{n}").exists()]
+
+    def test_what_changed(self):
+        """Other points in one of the inputs, then other places of the stations, which no task reads."""
         path, options = self.row()
         inputs = self.quarters(path)
         plan, what = self.plan(inputs, "--area-size", 33, *options)
@@ -71,14 +81,19 @@ class PlanOfFacades(FacadesTest):
             self.assertEqual(self.task(plan, area["area"]).returncode, 0)
         las = Las.read(inputs / "0.las")
         las.write(inputs / "0.las", list(las.records())[::2])
-        second = self.folder / "second"
-        done = ilot("plan", "-o", second, "--update", plan)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        left = [a["area"] for a in what["areas"] if not (second / f"parts/{a['area']}").exists()]
+        plan, left = self.updated(plan)
         self.assertIn(len(left), range(1, len(what["areas"])))
         for number in left:
-            self.assertEqual(self.task(second, number).returncode, 0)
-        self.assertEqual(self.merged(second)["result_hash"], self.one_run(inputs, *options)["result_hash"])
+            self.assertEqual(self.task(plan, number).returncode, 0)
+        self.assertEqual(self.merged(plan)["result_hash"], self.one_run(inputs, *options)["result_hash"])
+        moved = self.folder / "moved.csv"
+        lines = [line.split(",") for line in options[1].read_text().split()]
+        moved.write_text("\n".join(",".join([*line[:3], str(float(line[3]) + 0.3), *line[4:]] if line[0] != "name" else line)
+                                   for line in lines))
+        plan, left = self.updated(plan, "--stations", moved)
+        self.assertEqual(left, [])
+        shutil.rmtree(self.folder / "one")
+        self.assertEqual(self.merged(plan)["result_hash"], self.one_run(inputs, "--stations", moved)["result_hash"])
 
 
 class PlanOfStreets(PlanTest):
