@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Derived: a cell of kCellPoints points takes 7 MB as a record, and is there up to six times while it is unpacked.
-constexpr std::uint64_t kBytesToUnpack = std::uint64_t{48} << 20;
+// Derived: a cell of kCellPoints points takes 9 MB as a record, and is there up to six times while it is unpacked.
+constexpr std::uint64_t kBytesToUnpack = std::uint64_t{54} << 20;
 
 constexpr const char* kNormalsOfCell = ".normals";
 constexpr const char* kColoursOfCell = ".colours";
