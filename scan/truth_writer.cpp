@@ -54,13 +54,18 @@ std::string occluded_text(const std::optional<double>& share) {
   return share ? fmt::format(R"(,"occluded":{:.4f})", *share) : "";
 }
 
+std::string outline_text(const std::vector<Vec3>& outline, Vec3 origin) {
+  return outline.empty() ? "" : R"(,"outline":)" + ring_text(outline, origin);
+}
+
 std::string object_text(const TrueObject& o, Vec3 origin) {
   return fmt::format(R"({{"id":{},"class":"{}",{}"variant":"{}","base":{},"box":{{"centre":{},"size":{},)"
-                     R"("heading_deg":{}}},"touches":{},"points":{}{}{}{}}})",
+                     R"("heading_deg":{}}},"touches":{},"points":{}{}{}{}{}}})",
                      o.id, o.object_class, o.group.empty() ? "" : fmt::format(R"("group":"{}",)", o.group), o.variant,
                      place_text(origin + o.base), place_text(origin + o.box_centre), direction_text(o.box_size),
                      o.heading_deg, ids_text(o.touches), o.points, occluded_text(o.occluded),
-                     o.moves ? R"(,"moves":true)" : "", o.sometimes ? R"(,"sometimes":true)" : "");
+                     o.moves ? R"(,"moves":true)" : "", o.sometimes ? R"(,"sometimes":true)" : "",
+                     outline_text(o.outline, origin));
 }
 
 }  // namespace
@@ -201,13 +206,19 @@ void TruthWriter::add_plant(const TrueObject& plant) {
 
 void TruthWriter::add(const TrueTree& t) {
   add_line("trees", fmt::format(R"({{"id":{},"form":"{}","base":{},"height_m":{:.4f},"crown_base_m":{:.4f},)"
-                                R"("crown_radius_m":{:.4f},"trunk_radius_m":{:.4f},"points":{}{}}})",
+                                R"("crown_radius_m":{:.4f},"trunk_radius_m":{:.4f},"points":{}{}{}}})",
                                 t.id, t.form, place_text(origin_ + t.base), t.height, t.crown_base, t.crown_radius,
-                                t.trunk_radius, t.points, occluded_text(t.occluded)));
+                                t.trunk_radius, t.points, occluded_text(t.occluded), outline_text(t.outline, origin_)));
 }
 
 void TruthWriter::add(const TrueKerb& k) {
   add_line("kerbs", fmt::format(R"({{"line":{},"height_m":{:.4f}}})", ring_text(k.line, origin_), k.height));
+}
+
+void TruthWriter::add(const TruePavement& p) {
+  const std::string facade = p.to_facade ? fmt::format(R"(,"to_facade_m":{:.4f})", *p.to_facade) : "";
+  add_line("pavements",
+           fmt::format(R"({{"line":{},"width_m":{:.4f}{}}})", ring_text(p.line, origin_), p.width, facade));
 }
 
 void TruthWriter::add(const TrueBlock& b) {

@@ -97,6 +97,7 @@ struct TrueObject {
   std::optional<double> occluded = std::nullopt;  // share of the rays from the scanner to it that something hides
   bool moves = false;                             // during the scan
   bool sometimes = false;                         // it is there for some passes, stations or flight lines only
+  std::vector<Vec3> outline = {};                 // in plan, of what is lower than 2.2 m
 };
 
 struct TrueTree {
@@ -106,11 +107,19 @@ struct TrueTree {
   double height = 0, crown_base = 0, crown_radius = 0, trunk_radius = 0;
   std::uint64_t points = 0;
   std::optional<double> occluded = std::nullopt;
+  std::vector<Vec3> outline = {};  // as that of an object
 };
 
 struct TrueKerb {
   std::vector<Vec3> line;  // on the upper edge
   double height = 0;       // above the road
+};
+
+// A piece of pavement along a kerb.
+struct TruePavement {
+  std::vector<Vec3> line;                // the kerb
+  double width = 0;                      // as built
+  std::optional<double> to_facade = {};  // from the kerb to the house; not set where no house stands behind it
 };
 
 struct TrueBlock {
@@ -184,6 +193,7 @@ class TruthWriter {
   void add_plant(const TrueObject& plant);  // hedges and shrubs: objects that are not to be found as such
   void add(const TrueTree& tree);
   void add(const TrueKerb& kerb);
+  void add(const TruePavement& pavement);
   void add(const TrueBlock& block);
 
   void finish(const std::vector<std::pair<std::string, std::uint64_t>>& counts);

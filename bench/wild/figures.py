@@ -28,6 +28,7 @@ DIRECTIONS = {
     "class ground": "+", "class facade": "+", "class vegetation": "+",
     "trees found": "+", "trees false": "-", "trees p95, m": "-", "trees with trunk p95, m": "-", "tree heights p50, m": "-",
     "kerbs complete": "+", "kerbs correct": "+", "kerbs plan p95, m": "-", "kerbs height p95, m": "-",
+    "pavements complete": "+", "pavement widths p50, m": "-", "pavement widths within 10 cm": "+", "passable widths p50, m": "-",
     "points": "+", "planes matched": "+", "planes under": "-",
     "cpu s a million points": "-", "peak MiB": "-",
 }
@@ -93,6 +94,13 @@ def of_street_map(e):
         found |= {"kerbs complete": kerbs["complete"], "kerbs plan p95, m": kerbs["plan"]["p95_m"],
                   "kerbs correct": kerbs["correct"] if kerbs["found_m"] > 0 else None,
                   "kerbs height p95, m": kerbs["height"]["p95_m"]}
+    pavements = e.get("pavements")
+    if pavements and pavements["true_m"] >= 10:
+        found |= {"pavements complete": pavements["complete"]}
+        if pavements["width"]["count"] >= 5:
+            found |= {"pavement widths p50, m": pavements["width"]["median_m"],
+                      "pavement widths within 10 cm": pavements["near"],
+                      "passable widths p50, m": pavements["passable"]["median_m"]}
     return found
 
 

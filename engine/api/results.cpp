@@ -84,6 +84,10 @@ StreetPlan read_streets(const fs::path& run_folder) {
     plan.trees = read_trees_gpkg(trees);
   if (const fs::path kerbs = run_folder / "streets" / "kerbs.gpkg"; fs::exists(kerbs))
     plan.kerbs = read_kerbs_gpkg(kerbs);
+  if (const fs::path pavements = run_folder / "streets" / "pavements.gpkg"; fs::exists(pavements)) {
+    plan.widths = read_pavement_widths(pavements);
+    plan.pavements = read_pavements_gpkg(pavements);
+  }
   return plan;
 }
 

@@ -266,6 +266,8 @@ void evaluate_street_map(const ResultFiles& files, const LabelCounts& counts, co
   }
   if (truth.has_trees) evaluation.trees = evaluate_trees(truth.trees, trees, read_trees_gpkg(*files.trees), metres);
   if (truth.has_kerbs) evaluation.kerbs = evaluate_kerbs(sight, truth.kerbs, read_kerbs_gpkg(*files.kerbs), metres);
+  if (truth.has_pavements && files.pavements)
+    evaluation.pavements = evaluate_pavements(sight, truth, read_pavement_widths(*files.pavements), metres);
 }
 
 // Tells whether the record of a run states footprints. False without a record.
@@ -300,6 +302,7 @@ ResultFiles find_results(const fs::path& result) {
   };
   files.objects = of_streets("objects.gpkg");
   files.trees = of_streets("trees.gpkg"), files.kerbs = of_streets("kerbs.gpkg");
+  files.pavements = of_streets("pavements.gpkg");
   for (const char* end : {".city.jsonl", ".city.json", ".obj"}) {
     const std::vector<fs::path> models = files_in(result / "roofs", named(end));
     if (!files.roofs && !models.empty()) files.roofs = models.front();

@@ -21,6 +21,7 @@
 #include "engine/compare/roofs/roofs.h"
 #include "engine/compare/roofs/wireframe.h"
 #include "engine/compare/streets/kerb_errors.h"
+#include "engine/compare/streets/pavement_errors.h"
 #include "engine/compare/streets/tree_errors.h"
 
 namespace ilot {
@@ -72,13 +73,14 @@ struct Evaluation {
   std::optional<ProbabilityEvaluation> probabilities;  // of the classes of found objects
   std::optional<TreeResult> trees;
   std::optional<KerbResult> kerbs;
+  std::optional<PavementResult> pavements;
   std::vector<std::string> notes;  // what the truth contains and the result does not
 };
 
 // The files in an output folder of a run, or the one file that is given: a labelled cloud, or models of roofs.
 struct ResultFiles {
   std::vector<std::filesystem::path> clouds, facades;
-  std::optional<std::filesystem::path> planes_csv, roofs, objects, trees, kerbs;
+  std::optional<std::filesystem::path> planes_csv, roofs, objects, trees, kerbs, pavements;
   bool outlines_given = false;  // the outlines of roofs are footprints
 };
 ResultFiles find_results(const std::filesystem::path& result);

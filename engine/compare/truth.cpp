@@ -72,6 +72,26 @@ TrueKerb kerb_of(const JsonNode& node) {
   return kerb;
 }
 
+TruePavement pavement_of(const JsonNode& node) {
+  TruePavement pavement{{}, node.at("width_m").number(), node.has("to_facade_m") ? node.at("to_facade_m").number() : 0};
+  node.at("line").each([&](const JsonNode& vertex) { pavement.line.push_back(vertex.position()); });
+  if (pavement.line.size() < 2) node.fail("needs a line of two vertices or more");
+  return pavement;
+}
+
+// Adds the outlines of a list of objects, trees or plants. Those that are higher than 2.2 m have none.
+void add_outlines(const JsonNode& root, const char* key, std::vector<TrueOutline>& out) {
+  if (!root.has(key) || !root.json[key].is_array()) return;
+  root.at(key).each([&](const JsonNode& node) {
+    if (!node.has("outline")) return;
+    const auto is = [&](const char* name, const char* value) {
+      return node.has(name) && node.at(name).text() == value;
+    };
+    out.push_back({ring_of(node.at("outline")), is("class", "fence") || is("variant", "hedge"),
+                   node.has("moves") || node.has("sometimes")});
+  });
+}
+
 std::map<std::uint32_t, std::string> classes_of(const JsonNode& node) {
   std::map<std::uint32_t, std::string> classes;
   if (!node.json.is_object()) node.fail("needs an object");
@@ -121,6 +141,8 @@ Truth parse_truth(std::string_view text, const std::string& name) {
   });
   read_list(root, "trees", truth.trees, truth.has_trees, tree_of);
   read_list(root, "kerbs", truth.kerbs, truth.has_kerbs, kerb_of);
+  read_list(root, "pavements", truth.pavements, truth.has_pavements, pavement_of);
+  for (const char* key : {"objects", "trees", "plants"}) add_outlines(root, key, truth.outlines);
   read_list(root, "buildings", truth.buildings, truth.has_buildings, [](const JsonNode& n) { return n.at("id").id(); });
   return truth;
 }

@@ -67,6 +67,20 @@ struct TrueKerb {
   double height_m = 0;  // of the step
 };
 
+// A piece of pavement along a kerb.
+struct TruePavement {
+  Ring3 line;              // open; the kerb
+  double width_m = 0;      // as built
+  double to_facade_m = 0;  // from the kerb to the house behind it; 0 = none
+};
+
+// What an object, a tree or a plant has below 2.2 m, in plan.
+struct TrueOutline {
+  Ring3 ring;                // convex, counter-clockwise
+  bool is_boundary = false;  // a fence, a free-standing wall or a hedge
+  bool moves = false;        // during the scan, or it was not there all the time
+};
+
 struct Truth {
   std::map<std::uint32_t, std::string> classes;  // names of true_class; class 0 is never judged
   std::vector<TruePlane> planes;
@@ -76,9 +90,11 @@ struct Truth {
   std::vector<TrueObject> objects;
   std::vector<TrueTree> trees;
   std::vector<TrueKerb> kerbs;
+  std::vector<TruePavement> pavements;
+  std::vector<TrueOutline> outlines;
   std::vector<std::uint32_t> buildings;  // ids
   bool has_openings = false, has_control_points = false, has_objects = false, has_buildings = false;
-  bool has_trees = false, has_kerbs = false;
+  bool has_trees = false, has_kerbs = false, has_pavements = false;
 };
 
 // Arrays that are not in the file are empty; other keys than those above are ignored. What is in the file must have its

@@ -60,11 +60,49 @@ struct StreetKerb {
   double length_m = 0;            // in plan
 };
 
+// What ends a pavement on the side away from the road.
+enum class PavementEnd : std::uint8_t {
+  open,     // nothing that was seen: the pavement is at least as wide as ground was seen
+  unsure,   // something that no width within two metres of kerb on either side confirms
+  wall,     // a building
+  barrier,  // a fence, a free-standing wall or a hedge, or three metres of other objects without a gap
+  step,     // a step of the ground: another kerb, stairs, the wall of a terrace
+};
+
+// The width of a pavement across one metre of a kerb.
+struct PavementWidth {
+  std::uint32_t kerb = 0;    // id of the kerb
+  std::uint32_t number = 0;  // along the kerb, from 1
+  Vec3 from, to;             // on the kerb's upper edge and at the end, on the ground
+  bool kerb_seen = true;     // that of the kerb
+  PavementEnd end = PavementEnd::open;
+  double width_m = 0;          // in plan, from the kerb to the end; of an open end to the last ground that was seen
+  double error_m = 0;          // 95 % of the widths are as near to the true one, if this is what ends the pavement
+  double passable_m = 0;       // the widest part of it that no object reaches into, up to 2.2 m above the ground
+  double passable_from_m = 0;  // where that part begins, from the kerb
+  double unseen_share = 0;     // of the width: neither ground nor an object was seen there
+  double road_m = 0;           // from the kerb across the carriageway to the next kerb; 0 = none within 30 m
+};
+
+// Pavement between a kerb and what ends it, along places whose widths have an end.
+struct Pavement {
+  std::uint32_t id = 0;     // from 1
+  std::uint32_t kerb = 0;   // id of the kerb
+  std::vector<Vec3> ring;   // along the kerb, then back along the ends
+  double length_m = 0;      // along the kerb
+  double area_m2 = 0;       // in plan
+  double width_m = 0;       // median of its widths
+  double passable_m = 0;    // the least of its passable widths
+  double unseen_share = 0;  // mean over its widths
+};
+
 struct StreetPlan {
   std::vector<StreetObject> objects;
   std::vector<FacadePart> blocks, gaps;
   std::vector<StreetTree> trees;
   std::vector<StreetKerb> kerbs;
+  std::vector<PavementWidth> widths;
+  std::vector<Pavement> pavements;
 };
 
 // Reads objects.gpkg and blocks.gpkg in streets/ of a run with the product streets. `middle` is that of the written

@@ -91,7 +91,10 @@ class Outputs(unittest.TestCase):
                     "blocks.gpkg": {"blocks": (streets["blocks"], "3D Line String"), "gaps": (streets["gaps"], "3D Line String")},
                     "objects.gpkg": {"objects": (streets["objects"], "3D Point"), "extents": (streets["objects"], "Polygon")},
                     "trees.gpkg": {"trees": (streets["trees"], "3D Point"), "crowns": (streets["trees"], "Polygon")},
-                    "kerbs.gpkg": {"kerbs": (streets["kerbs"], "3D Line String"), "heights": (self.kerb_vertices(), "3D Point")}}
+                    "kerbs.gpkg": {"kerbs": (streets["kerbs"], "3D Line String"), "heights": (self.kerb_vertices(), "3D Point")},
+                    "pavements.gpkg": {"pavements": (streets["pavements"], "3D Polygon"),
+                                       "widths": (streets["pavement_widths"], "3D Line String"),
+                                       "road_edges": (streets["kerbs"], "3D Line String")}}
         self.assertEqual({p.name: self.layers(p) for p in self.files(".gpkg")}, expected)
 
     def kerb_vertices(self):

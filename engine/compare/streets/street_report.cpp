@@ -40,6 +40,17 @@ std::string kerbs_text(const KerbResult& k) {
          errors_text("height of the edge", k.elevation);
 }
 
+std::string pavements_text(const PavementResult& p) {
+  const std::string stated = std::isfinite(p.within_stated)
+                                 ? fmt::format("within the stated error {:.1f} %", 100 * p.within_stated)
+                                 : "no errors stated";
+  return fmt::format("pavements  true {:.1f} m  complete {:.1f} %  widths {}  (no true pavement {}, without end {})\n",
+                     p.true_m, 100 * p.complete, p.stated, p.away, p.endless) +
+         fmt::format("  within 10 cm {:.1f} %  {}  as built {}; passable within 10 cm {:.1f} %\n", 100 * p.near, stated,
+                     p.built, 100 * p.passable_near) +
+         errors_text("width", p.width) + errors_text("passable width", p.passable) + errors_text("carriageway", p.road);
+}
+
 Json trees_json(const TreeResult& t) {
   return {{"true", t.truth},
           {"unseen", t.unseen},
@@ -67,6 +78,21 @@ Json kerbs_json(const KerbResult& k) {
           {"plan", errors_json(k.plan)},
           {"height", errors_json(k.height)},
           {"elevation", errors_json(k.elevation)}};
+}
+
+Json pavements_json(const PavementResult& p) {
+  return {{"true_m", p.true_m},
+          {"complete", p.complete},
+          {"stated", p.stated},
+          {"away", p.away},
+          {"endless", p.endless},
+          {"as_built", p.built},
+          {"near", p.near},
+          {"within_stated", std::isfinite(p.within_stated) ? Json(p.within_stated) : Json(nullptr)},
+          {"passable_near", p.passable_near},
+          {"width", errors_json(p.width)},
+          {"passable", errors_json(p.passable)},
+          {"road", errors_json(p.road)}};
 }
 
 }  // namespace ilot

@@ -5,13 +5,16 @@
 #include <string>
 
 #include "engine/compare/streets/kerb_errors.h"
+#include "engine/compare/streets/pavement_errors.h"
 #include "engine/compare/streets/tree_errors.h"
 
 namespace ilot {
 
 std::string trees_text(const TreeResult& trees);
 std::string kerbs_text(const KerbResult& kerbs);
+std::string pavements_text(const PavementResult& pavements);
 nlohmann::ordered_json trees_json(const TreeResult& trees);
 nlohmann::ordered_json kerbs_json(const KerbResult& kerbs);
+nlohmann::ordered_json pavements_json(const PavementResult& pavements);
 
 }  // namespace ilot

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "engine/deliverables/layers/pavements_gpkg.h"
 #include "engine/error.h"
 #include "engine/model/point_label.h"
 
@@ -176,6 +177,52 @@ std::vector<StreetKerb> read_kerbs_gpkg(const std::filesystem::path& path) {
     kerbs[kerb - 1].heights_m[vertex - 1] = file.real(feature, "height_m");
   });
   return kerbs;
+}
+
+std::vector<PavementWidth> read_pavement_widths(const std::filesystem::path& path) {
+  LayerFile file(path);
+  std::vector<PavementWidth> widths;
+  file.for_each("widths", [&](const OGRFeature& feature, const OGRGeometry& geometry) {
+    if (wkbFlatten(geometry.getGeometryType()) != wkbLineString || geometry.toLineString()->getNumPoints() != 2)
+      file.fail("a width of a pavement is no line");
+    OGRPoint from, to;
+    geometry.toLineString()->StartPoint(&from);
+    geometry.toLineString()->EndPoint(&to);
+    PavementWidth w;
+    w.kerb = file.number(feature, "kerb_id"), w.number = file.number(feature, "number");
+    w.from = place_of(from), w.to = place_of(to);
+    w.kerb_seen = file.number(feature, "kerb_seen") != 0;
+    const std::string end = feature.GetFieldAsString("ends_at");
+    const auto named = pavement_end_named(end);
+    if (!named) file.fail("a pavement ends at '" + end + "'");
+    w.end = *named;
+    w.width_m = file.real(feature, w.end == PavementEnd::open ? "at_least_m" : "width_m");
+    w.error_m = file.real(feature, "error_m");
+    w.passable_m = file.real(feature, "passable_m");
+    w.passable_from_m = file.real(feature, "passable_from_m");
+    w.unseen_share = file.real(feature, "unseen_share");
+    w.road_m = file.real(feature, "road_m");
+    widths.push_back(w);
+  });
+  return widths;
+}
+
+std::vector<Pavement> read_pavements_gpkg(const std::filesystem::path& path) {
+  LayerFile file(path);
+  std::vector<Pavement> pavements;
+  file.for_each("pavements", [&](const OGRFeature& feature, const OGRGeometry& geometry) {
+    if (wkbFlatten(geometry.getGeometryType()) != wkbPolygon) file.fail("a pavement is no polygon");
+    Pavement p;
+    p.id = file.number(feature, "pavement_id"), p.kerb = file.number(feature, "kerb_id");
+    p.ring = open_ring(*geometry.toPolygon()->getExteriorRing());
+    p.length_m = file.real(feature, "length_m");
+    p.area_m2 = file.real(feature, "area_m2");
+    p.width_m = file.real(feature, "width_m");
+    p.passable_m = file.real(feature, "passable_m");
+    p.unseen_share = file.real(feature, "unseen_share");
+    pavements.push_back(std::move(p));
+  });
+  return pavements;
 }
 
 std::vector<StreetTree> read_trees_gpkg(const std::filesystem::path& path) {

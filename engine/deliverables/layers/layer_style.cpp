@@ -123,6 +123,26 @@ LayerStyle style_of_kerbs() {
   return {"seen", StyleSymbol::line, "seen", false, {{"1", "kerb", "178,34,96"}, {"0", "not seen", "226,150,186"}}};
 }
 
+LayerStyle style_of_road_edges() {
+  return {"seen",
+          StyleSymbol::line,
+          "seen",
+          false,
+          {{"1", "edge of the road", "90,101,119"}, {"0", "not seen", "178,186,200"}}};
+}
+
+LayerStyle style_of_pavements() {
+  return {"pavements", StyleSymbol::fill, "", false, {{"", "", "214,206,190"}}};
+}
+
+LayerStyle style_of_pavement_widths() {
+  return {"passable",
+          StyleSymbol::line,
+          "passable_m",
+          true,
+          {{"0.9", "less than 0.9 m free", kRed}, {"1.5", "0.9 to 1.5 m", kYellow}, {"1000000", "more", kBlue}}};
+}
+
 LayerStyle style_of_trees(StyleSymbol symbol) {
   return {"trunk", symbol, "trunk_seen", false, {{"1", "trunk seen", "47,125,50"}, {"0", "crown only", "139,195,74"}}};
 }

@@ -33,7 +33,10 @@ LayerStyle style_of_planes();  // by root mean square distance
 LayerStyle style_of_objects(StyleSymbol symbol, const std::map<PointLabel, std::string>& classes);  // by class
 LayerStyle style_of_blocks();
 LayerStyle style_of_gaps();
-LayerStyle style_of_kerbs();                    // by whether they were seen
+LayerStyle style_of_kerbs();       // by whether they were seen
+LayerStyle style_of_road_edges();  // by whether they were seen
+LayerStyle style_of_pavements();
+LayerStyle style_of_pavement_widths();          // by what is free of objects
 LayerStyle style_of_trees(StyleSymbol symbol);  // by whether a trunk was seen
 
 // Returns the style as QML, symbols only. The same style gives the same bytes.

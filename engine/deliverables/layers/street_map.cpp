@@ -19,7 +19,7 @@ constexpr double kMargin = 5;         // metres around the drawn content
 constexpr double kLeastSymbol = 0.3;  // metres; smaller objects are drawn with this size
 constexpr double kScaleBar = 20;      // metres
 constexpr double kTreeDot = 0.3;      // metres; radius of the dot at the trunk
-constexpr const char *kTree = "#2f7d32", *kTrunk = "#5d4037", *kKerb = "#b22260";
+constexpr const char *kTree = "#2f7d32", *kTrunk = "#5d4037", *kKerb = "#b22260", *kPavement = "#e6dfd0";
 
 std::string colour_of(PointLabel label) {
   const auto [red, green, blue] = object_colour(label);
@@ -35,6 +35,8 @@ class Sheet {
       for (const FacadePart& part : *parts) add(part.from), add(part.to);
     for (const StreetKerb& kerb : plan.kerbs)
       for (const Vec3& p : kerb.line) add(p);
+    for (const Pavement& pavement : plan.pavements)
+      for (const Vec3& p : pavement.ring) add(p);
     for (const StreetTree& tree : plan.trees)
       for (const Vec3& p : crown_of(tree, metres_per_unit)) add(p);
     if (min_.x > max_.x) min_ = max_ = {};
@@ -68,6 +70,16 @@ std::string symbol(const Sheet& sheet, const StreetObject& o, double metres_per_
   points.pop_back();
   return fmt::format("<polygon points=\"{}\" fill=\"{}\"><title>{} {}: {:.0f} %, {:.2f} m high</title></polygon>\n",
                      points, colour_of(o.label), o.class_name, o.id, 100 * o.probability, o.height_m);
+}
+
+std::string pavement_area(const Sheet& sheet, const Pavement& pavement) {
+  std::string points;
+  for (const Vec3& p : pavement.ring) points += fmt::format("{:.2f},{:.2f} ", sheet.x(p), sheet.y(p));
+  points.pop_back();
+  return fmt::format(
+      "<polygon points=\"{}\" fill=\"{}\"><title>pavement {}: {:.2f} m wide, {:.2f} m free at its narrowest"
+      "</title></polygon>\n",
+      points, kPavement, pavement.id, pavement.width_m, pavement.passable_m);
 }
 
 std::string kerb_line(const Sheet& sheet, const StreetKerb& kerb) {
@@ -107,6 +119,7 @@ std::string street_map_svg(const StreetPlan& plan, double metres_per_unit) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.2f} {1:.2f}\">\n"
       "<rect width=\"{0:.2f}\" height=\"{1:.2f}\" fill=\"#fbfaf7\"/>\n",
       sheet.width(), sheet.height());
+  for (const Pavement& pavement : plan.pavements) svg += pavement_area(sheet, pavement);
   for (const FacadePart& block : plan.blocks)
     svg += line(sheet, block, "stroke=\"#8a8478\" stroke-width=\"1\"",
                 fmt::format("block {}.{}: {:.1f} m", block.stretch, block.number, block.length_m));
@@ -130,7 +143,8 @@ std::string street_legend_html(const StreetPlan& plan) {
     return fmt::format("<tr><td><i class=\"swatch\" style=\"background:{}\"></i>{}</td><td class=\"n\">{}</td></tr>\n",
                        colour, name, count);
   };
-  html += row(kTree, "tree", plan.trees.size()) + row(kKerb, "kerb", plan.kerbs.size());
+  html += row(kTree, "tree", plan.trees.size()) + row(kKerb, "kerb", plan.kerbs.size()) +
+          row(kPavement, "pavement", plan.pavements.size());
   return html +
          fmt::format(
              "</tbody></table>\n<p class=\"note\">{} blocks (grey) and {} gaps between them (dashed). Circles are "

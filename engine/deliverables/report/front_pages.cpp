@@ -66,6 +66,7 @@ const char* use_of(const std::string& path) {
       {"blocks.gpkg", "blocks and gaps along the street, for QGIS"},
       {"trees.gpkg", "trees and their crowns, for QGIS"},
       {"kerbs.gpkg", "kerbs and the heights of their steps, for QGIS"},
+      {"pavements.gpkg", "pavements and their widths, for QGIS"},
       {"range.tif", "highest height of each pixel"},
       {"accumulation.tif", "number of points of each pixel"},
       {"ground.tif", "height of the ground"},

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/deliverables/layers/kerbs_gpkg.h"
+#include "engine/deliverables/layers/pavements_gpkg.h"
 #include "engine/deliverables/layers/street_map.h"
 #include "engine/deliverables/layers/streets_gpkg.h"
 #include "engine/deliverables/layers/trees_gpkg.h"
@@ -16,8 +17,10 @@
 #include "engine/products/streets/ground/tiled_artefacts.h"
 #include "engine/products/streets/ground/tiled_ground.h"
 #include "engine/products/streets/objects/object_selection.h"
+#include "engine/products/streets/pavements/pavement_areas.h"
 #include "engine/products/streets/street_kerbs.h"
 #include "engine/products/streets/street_labels.h"
+#include "engine/products/streets/street_pavements.h"
 #include "engine/products/streets/street_rasters.h"
 #include "engine/products/streets/street_training.h"
 #include "engine/products/streets/street_trees.h"
@@ -145,10 +148,28 @@ std::vector<CandidateClass> classes_without_trunks(const FoundStreet& street, st
   return classes;
 }
 
+constexpr double kLeastHedge = 1;  // Choice: metres; trunks are narrower
+
+// What the pixels of an object are for a pavement. Hedges and walls of gardens are found by how they stand in a row.
+PavementPixel standing_of(PointLabel label, const ObjectCandidate& candidate) {
+  if (label == PointLabel::vegetation && candidate.length < kLeastHedge) return PavementPixel::loose;  // a trunk
+  switch (label) {
+    case PointLabel::fence:
+      return PavementPixel::fence;
+    case PointLabel::car:
+    case PointLabel::van:
+    case PointLabel::two_wheeler:
+    case PointLabel::pedestrian:
+      return PavementPixel::loose;
+    default:
+      return PavementPixel::object;
+  }
+}
+
 // Labels the points and finds what is made of labelled points. Points around the wanted area have a part in this, and
 // lose their labels afterwards.
 void add_layers(const Store& store, const FoundStreet& street, const ObjectLabels& labels, double least_height,
-                const PassContext& context, StreetPlan& plan) {
+                const PassContext& context, std::span<const PavementPixel> standing, StreetPlan& plan) {
   const StreetTiles& tiles = *street.tiles;
   PassContext all = context;
   all.wanted = {};
@@ -158,6 +179,9 @@ void add_layers(const Store& store, const FoundStreet& street, const ObjectLabel
   // From the air too few points are on both sides of a step (docs/streets.md).
   if (street.view == StreetView::street) plan.kerbs = find_street_kerbs(store, tiles, street.density, context);
   if (context.wanted) write_street_labels(store, tiles, labels, least_height, context);
+  plan.widths = find_pavement_widths(tiles, plan.kerbs, standing);
+  mark_unsure_widths(plan.widths);
+  plan.pavements = join_pavements(plan.widths, context.metres_per_unit);
 }
 
 }  // namespace
@@ -231,22 +255,25 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
               taken, candidate_of,           object_of_candidate, plan.objects};
   }
   ObjectLabels labels{{0}, {PointLabel::none}};
+  std::vector<PavementPixel> standing{PavementPixel::object};
   for (std::size_t part = 1; part < candidate_of.size(); ++part) {
     const std::uint32_t candidate = candidate_of[part];
     const PointLabel label = classes[candidate - 1].label;
     labels.object.push_back(object_of_candidate[candidate]);
+    standing.push_back(standing_of(label, street.candidates[candidate - 1]));
     labels.label.push_back(is_street_object(label) && object_of_candidate[candidate] == 0 ? PointLabel::none : label);
   }
   add_parts(street, plan);
-  add_layers(store, street, labels, settings.streets.least_height, context, plan);
+  add_layers(store, street, labels, settings.streets.least_height, context, standing, plan);
   write_objects_gpkg(out.folder / "objects.gpkg", plan, crs);
   write_blocks_gpkg(out.folder / "blocks.gpkg", plan, crs);
   write_kerbs_gpkg(out.folder / "kerbs.gpkg", plan, crs);
+  write_pavements_gpkg(out.folder / "pavements.gpkg", plan, context.metres_per_unit, crs);
   write_trees_gpkg(out.folder / "trees.gpkg", plan, crs);
   write_street_rasters(*street.tiles, out.folder, crs);
   write_street_map(out.folder, plan, context.metres_per_unit);
-  out.record.streets =
-      StreetCounts{plan.objects.size(), plan.blocks.size(), plan.gaps.size(), plan.trees.size(), plan.kerbs.size()};
+  out.record.streets = StreetCounts{plan.objects.size(), plan.blocks.size(), plan.gaps.size(),     plan.trees.size(),
+                                    plan.kerbs.size(),   plan.widths.size(), plan.pavements.size()};
   out.progress.end_stage();
 }
 

@@ -12,6 +12,7 @@
 #include "scan/streets/object_classes.h"
 #include "scan/truth_writer.h"
 #include "scan/unit.h"
+#include "scan/wild/street/wild_pavements.h"
 #include "scan/wild/street/wild_street_scan.h"
 
 namespace ilot::scan {
@@ -41,6 +42,12 @@ TruePlane in_scene(const WildStreet& street, TruePlane plane, std::uint64_t poin
   return plane;
 }
 
+std::vector<Vec3> outline_in_scene(const WildStreet& street, const WildObject& object) {
+  std::vector<Vec3> outline = low_outline(object);
+  for (Vec3& p : outline) p = street.to_scene(p);
+  return outline;
+}
+
 std::optional<double> known(double share) {
   return std::isnan(share) ? std::nullopt : std::optional(share);
 }
@@ -60,6 +67,7 @@ TrueObject object_in_scene(const WildStreet& street, const WildObject& object, s
   truth.occluded = known(hidden);
   truth.moves = object.moves();
   truth.sometimes = object.comes_and_goes;
+  truth.outline = outline_in_scene(street, object);
   return truth;
 }
 
@@ -73,7 +81,8 @@ TrueTree tree_in_scene(const WildStreet& street, const WildObject& tree, std::ui
           0.25 * (size.x + size.y),
           tree.shape.trunk_radius,
           points,
-          known(hidden)};
+          known(hidden),
+          outline_in_scene(street, tree)};
 }
 
 void write_names(TruthWriter& truth, const WildStreetScan& scan) {
@@ -114,6 +123,10 @@ void write_truth(TruthWriter& truth, const WildStreetScan& scan, const PointTall
     TrueKerb line{{}, kerb.height};
     for (const Vec3& p : kerb.line) line.line.push_back(scan.street.to_scene(p));
     truth.add(line);
+  }
+  for (TruePavement pavement : true_pavements(scan.street)) {
+    for (Vec3& p : pavement.line) p = scan.street.to_scene(p);
+    truth.add(pavement);
   }
   write_stations(truth, scan);
 }

@@ -11,6 +11,7 @@
 
 #include "kernels/core/parallel.h"
 #include "scan/scanners/scan_record.h"
+#include "scan/wild/street/wild_pavements.h"
 #include "scan/wild/street/wild_street_scan.h"
 #include "tests/support/scan_records.h"
 
@@ -142,6 +143,28 @@ TEST(StreetWild, KerbsStandAboveTheRoadByTheirHeight) {
       EXPECT_NEAR(p.z - scan.street.ground_height(p.x, p.y + inwards), kerb.height, 1e-3);
       EXPECT_NEAR(std::abs(p.y), scan.street.half_road, 1e-9);
     }
+}
+
+TEST(StreetWild, PavementsEndAtTheWallsThatRaysMeet) {
+  for (std::uint64_t seed = 1; seed < 6; ++seed) {
+    const WildStreetScan scan = plan_wild({}, seed, "balconies,shutters");
+    std::vector<Part> walls;
+    for (const Part& part : scan.model.street.scene.parts)
+      if (const auto* panel = std::get_if<Panel>(&part);
+          panel && scan.model.street.scene.surfaces[panel->surface].plane != 0)
+        walls.push_back(part);
+    const PartScene scene(walls);
+    for (const TruePavement& piece : true_pavements(scan.street)) {
+      EXPECT_EQ(piece.width, scan.street.pavement);
+      if (!piece.to_facade) continue;
+      const Vec3 middle = 0.5 * (piece.line.front() + piece.line.back());
+      const double side = middle.y > 0 ? 1 : -1;
+      // Above the windows of the ground floor there is wall.
+      const auto hit = scene.cast({middle + Vec3{0.013, 0, 2.5}, {0, side, 0}});
+      if (!hit || hit->t >= *piece.to_facade + 2) continue;  // through a window
+      EXPECT_NEAR(hit->t, *piece.to_facade, 0.06);
+    }
+  }
 }
 
 TEST(StreetWild, FamiliesCanBeLeftOut) {
