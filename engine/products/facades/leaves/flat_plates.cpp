@@ -5,17 +5,17 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "engine/products/facades/openings/trend_surface.h"
+#include "engine/products/facades/openings/wall_means.h"
 #include "engine/products/facades/rays/cell_bands.h"
 #include "kernels/core/quantile.h"
 
 namespace ilot {
 namespace {
 
-// Derived: as kLeastStep and kStepOfNoise in shallow_openings.cpp, to the other side of the wall.
-constexpr double kLeastPlateRise = 0.012;  // metres between the wall and a plate
 // Derived: at the middle between both, a point in fifteen is on the wrong side.
 constexpr double kRiseOfNoise = 3;  // times the scatter of the wall
 // Choice: half of a narrow window; narrower leaves are not told from surrounds and pipes.
@@ -29,7 +29,13 @@ constexpr double kPlateFill = 0.75;  // share of its box
 // Choice: as kStrayWall in shallow_openings.cpp.
 constexpr double kStrayHole = 0.15;  // share of the cells of a square in which there may be something else
 // Choice: the width of a narrow pier.
-constexpr double kAboutPlate = 0.3;            // metres about a plate that are looked at for its sides and the wall
+constexpr double kAboutPlate = 0.3;  // metres about a plate that are looked at for its sides and the wall
+// Choice: sharp and averaged edges differ by a cell, a tenth of a narrow leaf.
+constexpr double kMostOfPlate = 0.8;  // share of a plate that another one of the same leaf covers
+// Choice: louvres and fittings of a leaf stand out less, sills more.
+constexpr double kBeforePlate = 0.04;  // metres before a plate from which on something is not a part of it
+// Choice: a leaf 4 cm before the wall hides twice that from an oblique ray; sills hide more.
+constexpr double kUnseenBeside = 0.1;          // metres beside a plate that may be hidden before the wall begins
 constexpr std::uint64_t kMostAbout = 1 << 16;  // points of that; more do not improve the result
 constexpr double kFaceOfPlate = 0.01;          // Derived: kLeastFace in relief.cpp
 
@@ -67,6 +73,18 @@ void mark_relief(const RaySamples& samples, const TrendSurface& form, double ris
     const bool plate = before[i] > wall[i] + behind[i];
     cells.what[at] = plate ? kRelief : behind[i] > wall[i] ? kThrough : wall[i] > 0 ? kSolid : kUnknown;
     relief.out[at] = plate ? static_cast<float>(sum[i] / before[i]) : 0;
+  }
+}
+
+// On a rough wall single points of a cell do not show a plate that lies near; their mean does. What was marked farther
+// before the wall than this stays, and so does what rays went through.
+void mark_by_means(const WallMeans& means, double step, double rise, ReliefCells& relief) {
+  for (std::size_t i = 0; i < relief.out.size(); ++i) {
+    std::uint8_t& what = relief.cells.what[i];
+    if (!means.has(i) || what == kThrough || relief.out[i] > static_cast<float>(rise)) continue;
+    const double mean = means.mean(i);
+    what = mean > step / 2 ? kRelief : mean < -step / 2 ? kThrough : kSolid;
+    relief.out[i] = what == kRelief ? static_cast<float>(mean) : 0;
   }
 }
 
@@ -128,24 +146,32 @@ double straight_at_top(const CellRegion& region, const CellBox& box, std::int64_
   return found / all;
 }
 
-// The share of the lines across a side that meet the wall beyond it.
-double wall_beyond(const WallCells& cells, const CellBox& b, Side side) {
+// The share of the lines across a side that meet the wall beyond it. What was not seen over more than a few centimetres
+// above or below may belong to the plate, and so may what something farther before the wall hides: a sill, a lintel.
+double wall_beyond(const ReliefCells& relief, const CellBox& b, double hiding, Side side) {
+  const WallCells& cells = relief.cells;
   const bool u = along_u(side);
   const auto reach = static_cast<std::int64_t>(kAboutPlate / cells.cell) + 1;
+  const auto gap = std::max<std::int64_t>(1, std::llround(kUnseenBeside / cells.cell));
   double found = 0, lines = 0;
-  for (std::int64_t i = u ? b.r0 : b.c0; i <= (u ? b.r1 : b.c1); ++i, ++lines)
-    for (std::int64_t k = 1; k <= reach; ++k) {
+  for (std::int64_t i = u ? b.r0 : b.c0; i <= (u ? b.r1 : b.c1); ++i, ++lines) {
+    std::int64_t unseen = 0;
+    for (std::int64_t k = 1; k <= reach && unseen <= gap; ++k) {
       const std::int64_t c = side == Side::left ? b.c0 - k : side == Side::right ? b.c1 + k : i;
       const std::int64_t r = side == Side::bottom ? b.r0 - k : side == Side::top ? b.r1 + k : i;
       if (c < 0 || r < 0 || c >= cells.columns || r >= cells.rows || cells.at(c, r) == kThrough) break;
+      if (relief.out[static_cast<std::size_t>(r * cells.columns + c)] > static_cast<float>(hiding)) break;
+      unseen += !u && cells.at(c, r) == kUnknown;
       if (cells.at(c, r) != kSolid) continue;
       ++found;
       break;
     }
+  }
   return found / lines;
 }
 
-// The points about a plate as a wall with one plane before it, levelled.
+// The points about a plate as a wall with one plane before it, levelled. A sill or a lintel ends the plate as the wall
+// does.
 FacadeSite site_about_plate(const RaySamples& samples, const Box2& box, double level, double out) {
   constexpr std::uint32_t kWallId = 1, kPlateId = 2;
   const FacadeSite& whole = samples.site();
@@ -168,6 +194,7 @@ FacadeSite site_about_plate(const RaySamples& samples, const Box2& box, double l
     if (!counts(ray) || !is_kept(ray, thinned)) continue;
     FacadePoint p = ray.at;
     p.w -= static_cast<float>(level);
+    if (p.w > static_cast<float>(out + kBeforePlate) && p.w <= static_cast<float>(2 * kFlatRelief)) p.w = 0;
     const double w = p.w;
     p.plane = std::abs(w - out) <= site.epsilon ? kPlateId : std::abs(w) <= out / 2 ? kWallId : 0;
     site.points.push_back(p);
@@ -199,23 +226,16 @@ FoundRectangle located_plate(const RaySamples& samples, const TrendSurface& form
   return plate;
 }
 
-}  // namespace
-
-std::vector<FlatPlate> find_flat_plates(const RaySamples& samples) {
-  const WallCells cells = wall_grid(samples.site());
-  const TrendSurface form = trend_surface(samples);
-  const double rise = std::max(kLeastPlateRise, kRiseOfNoise * form.noise);
-  if (!form.found || rise > kFlatRelief / 2) return {};
-  ReliefCells relief{cells, std::vector<float>(cells.what.size(), 0)};
-  for (const RowBand& band : bands_of(cells.columns, cells.rows))
-    mark_relief(samples, form, rise, band.first, band.end, relief);
-  relief = without_gaps_in(relief);
+// The plates that are marked. Whether the wall begins beside them is looked up in `about`.
+std::vector<FlatPlate> marked_plates(const RaySamples& samples, const TrendSurface& form, const ReliefCells& relief,
+                                     const ReliefCells& about) {
+  const WallCells& cells = relief.cells;
   std::vector<bool> obstacles(cells.what.size());
-  for (std::size_t i = 0; i < obstacles.size(); ++i) obstacles[i] = relief.cells.what[i] != kRelief;
+  for (std::size_t i = 0; i < obstacles.size(); ++i) obstacles[i] = cells.what[i] != kRelief;
   const auto side = std::max<std::int64_t>(3, std::llround(kNarrowestPlate / cells.cell));
   std::vector<FlatPlate> found;
-  for (const CellRegion& region : plates_of(relief, covered_by_squares(relief.cells, obstacles, side, kStrayHole),
-                                            std::max(kOnePlate, form.noise))) {
+  for (const CellRegion& region :
+       plates_of(relief, covered_by_squares(cells, obstacles, side, kStrayHole), std::max(kOnePlate, form.noise))) {
     if (static_cast<std::int64_t>(region.cells.size()) < side * side) continue;
     const CellBox b = box_of(region, cells.columns);
     const double fill = static_cast<double>(region.cells.size()) / static_cast<double>(b.columns() * b.rows());
@@ -224,14 +244,59 @@ std::vector<FlatPlate> find_flat_plates(const RaySamples& samples) {
       continue;
     std::vector<float> outs;
     for (const std::uint32_t i : region.cells) outs.push_back(relief.out[i]);
+    const double out = upper_median(outs);
     const Box2 box{static_cast<double>(b.c0) * cells.cell, static_cast<double>(b.c1 + 1) * cells.cell,
                    static_cast<double>(b.r0) * cells.cell, static_cast<double>(b.r1 + 1) * cells.cell};
-    FlatPlate plate{located_plate(samples, form, box, static_cast<double>(upper_median(outs)), cells.cell), {}};
+    FlatPlate plate{located_plate(samples, form, box, out, cells.cell), {}};
     plate.shape.fill = std::min(1.0, fill);
     if (std::min(plate.shape.box().width(), plate.shape.box().height()) < kNarrowestPlate) continue;
-    for (const Side s : kSides) plate.wall[static_cast<std::size_t>(s)] = wall_beyond(relief.cells, b, s);
+    for (const Side s : kSides) plate.wall[static_cast<std::size_t>(s)] = wall_beyond(about, b, out + kBeforePlate, s);
     found.push_back(plate);
   }
+  return found;
+}
+
+double area_in_both(const Box2& a, const Box2& b) {
+  return std::max(0.0, std::min(a.u1, b.u1) - std::max(a.u0, b.u0)) *
+         std::max(0.0, std::min(a.v1, b.v1) - std::max(a.v0, b.v0));
+}
+
+// Adds plates that means show to those that single points show. What single points show is sharper, but on a rough wall
+// it may be a piece only: then the whole takes its place.
+void add_averaged(std::vector<FlatPlate>&& averaged, std::vector<FlatPlate>& found) {
+  const std::vector<FlatPlate> sharp = found;
+  for (FlatPlate& plate : averaged) {
+    const Box2 own = plate.shape.box();
+    const double area = own.width() * own.height();
+    const auto is_whole = [&](const FlatPlate& p) { return area_in_both(p.shape.box(), own) > kMostOfPlate * area; };
+    if (std::any_of(sharp.begin(), sharp.end(), is_whole)) continue;
+    std::erase_if(found, [&](const FlatPlate& p) { return area_in_both(p.shape.box(), own) > 0; });
+    found.push_back(std::move(plate));
+  }
+}
+
+}  // namespace
+
+std::vector<FlatPlate> find_flat_plates(const RaySamples& samples) {
+  const WallCells cells = wall_grid(samples.site());
+  const TrendSurface form = trend_surface(samples);
+  const double rise = std::max(kLeastStep, kRiseOfNoise * form.noise);
+  if (!form.found || rise > kFlatRelief / 2) return {};
+  ReliefCells relief{cells, std::vector<float>(cells.what.size(), 0)};
+  for (const RowBand& band : bands_of(cells.columns, cells.rows))
+    mark_relief(samples, form, rise, band.first, band.end, relief);
+  const double scatter = kStepOfNoise * form.noise, deepest = -std::numeric_limits<double>::infinity();
+  const WallMeans means = means_about_cells(samples, form, cells, {deepest, rise + scatter, -scatter, rise + scatter});
+  const double step = std::max(means.step, kStepOfNoise * means.scatter);
+  if (step >= rise) {
+    relief = without_gaps_in(relief);
+    return marked_plates(samples, form, relief, relief);
+  }
+  ReliefCells averaged = relief;
+  mark_by_means(means, step, rise, averaged);
+  relief = without_gaps_in(relief), averaged = without_gaps_in(averaged);
+  std::vector<FlatPlate> found = marked_plates(samples, form, relief, averaged);
+  add_averaged(marked_plates(samples, form, averaged, averaged), found);
   return found;
 }
 

@@ -8,18 +8,12 @@
 #include <utility>
 
 #include "engine/products/facades/openings/trend_surface.h"
-#include "engine/products/facades/rays/cell_bands.h"
+#include "engine/products/facades/openings/wall_means.h"
 #include "kernels/core/quantile.h"
 
 namespace ilot {
 namespace {
 
-// Derived: stations lie 5 mm apart (one standard deviation), and materials are measured 2 mm too near or too far: 95 %
-// of both together.
-constexpr double kLeastStep = 0.012;  // metres between the wall and a pane
-// Derived: at the middle between both, a point in six is on the wrong side, and the most of four points of a cell of
-// the wall once in 70.
-constexpr double kStepOfNoise = 2;  // times the scatter of the wall
 // Choice: what lies deeper is found without this: rays go through there.
 constexpr double kDeepest = 0.15;  // metres
 // Choice: as kSquare in silent_holes.cpp: joints between stones are narrower.
@@ -39,7 +33,12 @@ constexpr std::size_t kFewestOnSheet = 30;          // points of a pane and of t
 constexpr double kLocalMargin = 0.65;          // metres of the wall about a pane that are looked at again
 constexpr std::uint64_t kMostLocal = 1 << 17;  // points of that; more do not improve the result
 constexpr double kScatterOfMedian = 1.4826;    // Derived: standard deviation over median distance, normal noise
-constexpr double kPieceShare = 0.6;            // Choice: more than half, with the errors of both; share of a piece
+constexpr double kScatterBefore = 3;  // Derived: all but one point in 700; times the scatter: wall before its middle
+// Choice: where the wall bows more than its form follows, a pane is connected with the wall at a small step; so larger
+// ones are tried too, each half as large again.
+constexpr double kNextStep = 1.5;    // times the step before
+constexpr double kSameBox = 0.9;     // Choice: a cell at the sides of a window; share that two boxes of one region have
+constexpr double kPieceShare = 0.6;  // Choice: more than half, with the errors of both; share of a piece
 
 using enum WallCells::What;
 
@@ -55,28 +54,15 @@ double off_form(const TrendSurface& form, const Ray& ray) {
   return static_cast<double>(ray.at.w) - form.at(ray.at.u, ray.at.v);
 }
 
-// Marks the cells most of whose points lie behind the form by more than half of the step, among those of rows [r0, r1).
-// Points that stand before the wall by a step (pipes, cables, leaves of plants) show nothing of what they hide. Cells
-// without points that rays are known to have crossed belong to the pane: it is clean there, and dusty elsewhere.
-void mark_rows(const RaySamples& samples, const TrendSurface& form, double step, std::int64_t r0, std::int64_t r1,
-               WallCells& marks) {
-  std::vector<std::int32_t> behind(static_cast<std::size_t>((r1 - r0) * marks.columns), 0), other(behind.size(), 0);
-  const Box2 rows{0, static_cast<double>(marks.columns) * marks.cell, static_cast<double>(r0) * marks.cell,
-                  static_cast<double>(r1) * marks.cell};
-  for (const Ray& ray : samples.near(rows.grown(marks.cell))) {
-    const double off = off_form(form, ray);
-    const Place2 p = samples.crossing(ray, 0);
-    if (off < -kDeepest || off > step || p.u < 0 || p.v < 0) continue;
-    const auto c = static_cast<std::int64_t>(p.u / marks.cell), r = static_cast<std::int64_t>(p.v / marks.cell);
-    if (c >= marks.columns || r < r0 || r >= r1) continue;
-    ++(off < -step / 2 ? behind : other)[static_cast<std::size_t>((r - r0) * marks.columns + c)];
-  }
-  for (std::size_t i = 0; i < behind.size(); ++i) {
-    std::uint8_t& what = marks.what[static_cast<std::size_t>(r0 * marks.columns) + i];
-    if (behind[i] + other[i] == 0)
-      what = what == kThrough ? kThrough : kUnknown;
+// Marks the cells whose points lie behind the form by more than half of a step in the mean. Cells without points that
+// rays are known to have crossed belong to the pane: it is clean there, and dusty elsewhere.
+void mark_cells(const WallMeans& means, double step, WallCells& marks) {
+  for (std::size_t i = 0; i < marks.what.size(); ++i) {
+    std::uint8_t& what = marks.what[i];
+    if (means.has(i))
+      what = means.mean(i) < -step / 2 ? kThrough : kSolid;
     else
-      what = behind[i] > other[i] ? kThrough : kSolid;
+      what = what == kThrough ? kThrough : kUnknown;
   }
 }
 
@@ -125,14 +111,16 @@ std::optional<Step> step_at_pane(const RaySamples& samples, const TrendSurface& 
     const Place2 p = samples.crossing(ray, 0);
     const double off = off_form(form, ray);
     if (inner.contains(p) && off < least / 2) pane.push_back(off);
-    if (!from.contains(p) && std::abs(off) < std::max(least, 2 * kLeastStep)) wall.push_back(off);
+    if (!from.contains(p) && std::abs(off) < std::max({least, 2 * kLeastStep, kScatterBefore * form.noise}))
+      wall.push_back(off);
   }
   if (wall.size() < kFewestOnSheet || pane.size() < kFewestOnSheet) return std::nullopt;
   Step step;
   step.wall = upper_median(wall);
   step.noise = scatter_of(wall, step.wall);
   step.depth = step.wall - upper_median(pane);
-  if (step.depth < std::max(kLeastStep, kStepOfNoise * step.noise)) return std::nullopt;
+  const double cell = std::min(1.0, kStepsACell * samples.site().step / kWidestMean);
+  if (step.depth < std::max(kLeastStep, kStepOfNoise * step.noise * cell)) return std::nullopt;
   return step;
 }
 
@@ -149,7 +137,8 @@ LocalWall local_wall(const RaySamples& samples, const TrendSurface& form, const 
   FacadeSite& site = local.site;
   site.axes = whole.axes;
   site.width = around.width(), site.height = around.height();
-  site.epsilon = step.depth / 2, site.noise = step.noise, site.step = whole.step;
+  site.epsilon = step.depth / 2, site.noise = step.noise;
+  site.step = whole.step * std::max(1.0, kStepOfNoise * step.noise / step.depth);
   for (FacadeStation s : whole.stations) {
     s.position = {s.position.x - around.u0, s.position.y - around.v0, s.position.z - step.wall};
     site.stations.push_back(s);
@@ -159,9 +148,10 @@ LocalWall local_wall(const RaySamples& samples, const TrendSurface& form, const 
   const int level = thinning_level(near, kMostLocal, counts);
   for (const Ray& ray : near) {
     if (!counts(ray) || !is_kept(ray, level)) continue;
+    double off = off_form(form, ray) - step.wall;
+    if (off > 0 && off < kScatterBefore * step.noise) off = std::min(off, site.epsilon / 2);
     site.points.push_back({static_cast<float>(static_cast<double>(ray.at.u) - around.u0),
-                           static_cast<float>(static_cast<double>(ray.at.v) - around.v0),
-                           static_cast<float>(off_form(form, ray) - step.wall), 0});
+                           static_cast<float>(static_cast<double>(ray.at.v) - around.v0), static_cast<float>(off), 0});
     if (samples.oblique()) site.from.push_back(static_cast<SiteStation>(ray.station + 1));
   }
   return local;
@@ -216,7 +206,8 @@ std::optional<FoundRectangle> opening_at(const RaySamples& about, const WallCell
         const CellBox b = box_of(region, cells.columns);
         const double c = middle.u / cells.cell, r = middle.v / cells.cell;
         if (c < static_cast<double>(b.c0) || c > static_cast<double>(b.c1 + 1) || r < static_cast<double>(b.r0) ||
-            r > static_cast<double>(b.r1 + 1) || straight_share(region, b, cells.columns) < kStraightPane)
+            r > static_cast<double>(b.r1 + 1) ||
+            (straight_share(region, b, cells.columns) < kStraightPane && !has_arched_top(region, b, cells.columns)))
           return;
         opening = opening_in(about, cells, region, silent, through, params);
       });
@@ -240,22 +231,17 @@ std::optional<FoundRectangle> shallow_opening(const RaySamples& samples, const T
   return opening;
 }
 
-}  // namespace
-
-std::vector<FoundRectangle> find_shallow_openings(const RaySamples& samples, const WallCells& cells,
-                                                  const OpeningParams& params) {
-  const TrendSurface form = trend_surface(samples);
-  const double step = std::max(kLeastStep, kStepOfNoise * form.noise);
-  if (!form.found || step >= depth_through(samples.site(), params)) return {};
+// The boxes of the regions whose cells lie behind the form by more than half of a step.
+std::vector<Box2> boxes_behind(const WallMeans& means, const WallCells& cells, double step,
+                               const OpeningParams& params) {
   WallCells marks = cells;
-  for (const RowBand& band : bands_of(marks.columns, marks.rows))
-    mark_rows(samples, form, step, band.first, band.end, marks);
+  mark_cells(means, step, marks);
   marks = without_gaps(marks);
   std::vector<bool> obstacles(marks.what.size());
   for (std::size_t i = 0; i < obstacles.size(); ++i) obstacles[i] = marks.what[i] != kThrough;
   const auto side = std::max<std::int64_t>(3, std::llround(kPaneSquare * params.least_size / marks.cell));
   const std::vector<bool> panes = covered_by_squares(marks, obstacles, side, kStrayWall);
-  std::vector<FoundRectangle> found;
+  std::vector<Box2> boxes;
   for_each_region(
       marks, [&](std::size_t i) { return panes[i]; },
       [&](const CellRegion& region) {
@@ -263,12 +249,37 @@ std::vector<FoundRectangle> find_shallow_openings(const RaySamples& samples, con
         const double fill = static_cast<double>(region.cells.size()) / static_cast<double>(b.columns() * b.rows());
         const Box2 box{static_cast<double>(b.c0) * marks.cell, static_cast<double>(b.c1 + 1) * marks.cell,
                        static_cast<double>(b.r0) * marks.cell, static_cast<double>(b.r1 + 1) * marks.cell};
-        if (fill < kPaneFill || std::min(box.width(), box.height()) < params.least_size ||
-            std::max(box.width(), box.height()) > kLargestPane)
-          return;
-        if (const std::optional<FoundRectangle> opening = shallow_opening(samples, form, box, step, cells, params))
-          found.push_back(*opening);
+        if (fill >= kPaneFill && std::min(box.width(), box.height()) >= params.least_size &&
+            std::max(box.width(), box.height()) <= kLargestPane)
+          boxes.push_back(box);
       });
+  return boxes;
+}
+
+}  // namespace
+
+std::vector<FoundRectangle> find_shallow_openings(const RaySamples& samples, const WallCells& cells,
+                                                  const OpeningParams& params) {
+  const TrendSurface form = trend_surface(samples);
+  if (!form.found) return {};
+  // Points that stand before the wall (pipes, cables, leaves of plants) show nothing of what they hide.
+  const double before = std::max(kLeastStep, kStepOfNoise * form.noise);
+  const WallMeans means = means_about_cells(
+      samples, form, cells, {-kDeepest, before, -before - kStepOfNoise * form.noise, kStepOfNoise * form.noise});
+  std::vector<FoundRectangle> found;
+  std::vector<Box2> seen;
+  for (double step = means.step; step < depth_through(samples.site(), params); step *= kNextStep)
+    for (const Box2& box : boxes_behind(means, cells, step, params)) {
+      const double area = area_of_box(box);
+      const auto is_same = [&](const Box2& b) {
+        return shared_area(b, box) > kSameBox * std::max(area, area_of_box(b));
+      };
+      const auto is_in = [&](const FoundRectangle& o) { return shared_area(o.box(), box) > kPieceShare * area; };
+      if (std::any_of(seen.begin(), seen.end(), is_same) || std::any_of(found.begin(), found.end(), is_in)) continue;
+      seen.push_back(box);
+      if (const std::optional<FoundRectangle> opening = shallow_opening(samples, form, box, step, cells, params))
+        found.push_back(*opening);
+    }
   return found;
 }
 

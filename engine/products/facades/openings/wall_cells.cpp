@@ -9,8 +9,8 @@
 namespace ilot {
 namespace {
 
-// Choice: four points a cell; openings below three cells are lost.
-constexpr double kCellSteps = 2, kLeastCell = 0.02, kMostCell = 0.15;  // metres
+// Choice: openings below three cells are lost.
+constexpr double kLeastCell = 0.02, kMostCell = 0.15;  // metres
 // Choice: an arch takes the corners of its box; a gable window ends too far in.
 constexpr double kTail = 0.15;  // share of its rows and columns that may end farther out
 
@@ -84,7 +84,7 @@ RegionEnds ends_of(const CellRegion& region, std::int64_t columns) {
 
 WallCells wall_grid(const FacadeSite& site) {
   WallCells cells;
-  cells.cell = cell_for(site.width, site.height, std::clamp(kCellSteps * site.step, kLeastCell, kMostCell));
+  cells.cell = cell_for(site.width, site.height, std::clamp(kStepsACell * site.step, kLeastCell, kMostCell));
   cells.columns = static_cast<std::int64_t>(site.width / cells.cell) + 1;
   cells.rows = static_cast<std::int64_t>(site.height / cells.cell) + 1;
   cells.what.assign(static_cast<std::size_t>(cells.columns * cells.rows), kUnknown);

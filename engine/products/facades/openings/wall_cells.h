@@ -34,6 +34,9 @@ inline constexpr double kFlatRelief = 0.15;  // metres before the wall at which 
 // Choice: posts between windows are narrower; wider ones part an opening in two.
 inline constexpr double kWidestBar = 0.15;  // metres; bars and frames that are nearly as far out as the wall
 
+// Choice: four points a cell.
+inline constexpr double kStepsACell = 2;  // steps across a cell
+
 // Which rays are counted as through the wall, in metres.
 struct WallCellParams {
   double least_depth = 0.04;  // a ray that ends less far behind the wall did not go through it

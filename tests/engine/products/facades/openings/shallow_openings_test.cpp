@@ -91,6 +91,35 @@ TEST(ShallowOpenings, APaneAtTwiceTheScatter) {
     EXPECT_NEAR(found[0].at(side), at, found[0].error(side));
 }
 
+// On a rough wall the means of points over some cells show what single points do not.
+TEST(ShallowOpenings, APaneAtOneAndAThirdOfTheScatter) {
+  test::ScannedWall wall;
+  wall.wall({{2, -0.03, 2, 3.1, 1.2, 2.8, 0}});
+  FacadeSite site = test::scan_wall(wall, kShallowEye, kShallowStep, 999, 0.022);
+  for (FacadePoint& p : site.points) p.plane = 0;
+  site.wall.clear();
+  const std::vector<FoundRectangle> found = find_openings(RaySamples(site));
+  ASSERT_EQ(found.size(), 1u);
+  for (const auto& [side, at] : {std::pair{Side::left, 2.0}, {Side::right, 3.1}, {Side::bottom, 1.2}, {Side::top, 2.8}})
+    EXPECT_NEAR(found[0].at(side), at, found[0].error(side));
+}
+
+// Where the wall goes back beside a pane as far as the least step, a larger step parts them.
+TEST(ShallowOpenings, APaneInAWallThatGoesBackBesideIt) {
+  test::ScannedWall wall;
+  wall.wall({{2, -0.05, 2, 3.1, 1.2, 2.8, 0}});
+  FacadeSite site = test::scan_wall(wall, kShallowEye, kShallowStep, 999, 0.004);
+  for (FacadePoint& p : site.points) {
+    p.plane = 0;
+    if (p.u > 2.5F) p.w -= 0.02F * std::min(1.0F, (p.u - 2.5F) / 0.3F);
+  }
+  site.wall.clear();
+  const std::vector<FoundRectangle> found = find_openings(RaySamples(site));
+  ASSERT_GE(found.size(), 1u);
+  EXPECT_NEAR(found[0].at(Side::left), 2, found[0].error(Side::left));
+  EXPECT_NEAR(found[0].at(Side::right), 3.1, found[0].error(Side::right));
+}
+
 TEST(ShallowOpenings, WhatLiesWithinTheNoiseOrIsAJointIsNone) {
   EXPECT_TRUE(find_openings(RaySamples(bowed({2, -0.01, 2, 3.1, 1.2, 2.8, 0}))).empty());
   EXPECT_TRUE(find_openings(RaySamples(bowed({2, -0.03, 0.5, 5.5, 2, 2.1, 0}))).empty());
