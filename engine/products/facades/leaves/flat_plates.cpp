@@ -82,7 +82,7 @@ void mark_by_means(const WallMeans& means, double step, double rise, ReliefCells
   for (std::size_t i = 0; i < relief.out.size(); ++i) {
     std::uint8_t& what = relief.cells.what[i];
     if (!means.has(i) || what == kThrough || relief.out[i] > static_cast<float>(rise)) continue;
-    const double mean = means.mean(i);
+    const double mean = static_cast<double>(means.mean[i]);
     what = mean > step / 2 ? kRelief : mean < -step / 2 ? kThrough : kSolid;
     relief.out[i] = what == kRelief ? static_cast<float>(mean) : 0;
   }

@@ -60,7 +60,7 @@ void mark_cells(const WallMeans& means, double step, WallCells& marks) {
   for (std::size_t i = 0; i < marks.what.size(); ++i) {
     std::uint8_t& what = marks.what[i];
     if (means.has(i))
-      what = means.mean(i) < -step / 2 ? kThrough : kSolid;
+      what = static_cast<double>(means.mean[i]) < -step / 2 ? kThrough : kSolid;
     else
       what = what == kThrough ? kThrough : kUnknown;
   }

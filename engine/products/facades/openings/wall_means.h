@@ -30,14 +30,13 @@ struct MeanLimits {
 };
 
 struct WallMeans {
-  std::vector<std::int64_t> off;  // sums in micrometres, so that the order of the points does not matter
+  std::vector<float> mean;  // metres before the form, of each cell that has points
   std::vector<std::int32_t> points;
   double step = 0;  // metres: what lies so far before or behind the wall is told from it
   double scatter =
       0;  // metres: standard deviation of the means that lie before the form; it contains how the wall bows
 
   bool has(std::size_t cell) const { return points[cell] > 0; }
-  double mean(std::size_t cell) const;  // metres before the form; of a cell that has points
 };
 
 // Takes the means of the points about each cell that has points, over as few cells as show the least step.
