@@ -41,8 +41,8 @@ struct RoofModel {
 
 // The intermediate results of the steps, for anyone who looks for the step that went wrong.
 struct RoofSteps {
-  std::vector<Vec3> points;  // those of the outline, then those beside it that were taken; metres from the anchor
-  RoofPlanes planes;         // of these points
+  std::vector<Vec3> points;     // those of the outline, then those beside it that were taken; metres from the anchor
+  RoofPlanes planes;            // of these points
   std::vector<FlatEdge> lines;  // the lines that divide the outline; metres from the anchor
   Partition cells;
   std::vector<std::uint32_t> cell_of_point, label;  // per point its cell, per cell 1 + the index of its plane
