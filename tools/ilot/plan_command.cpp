@@ -14,6 +14,7 @@
 #include "engine/settings/config.h"
 #include "engine/settings/parameters.h"
 #include "tools/ilot/allocator.h"
+#include "tools/ilot/asked_products.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
 #include "tools/ilot/units.h"
@@ -57,7 +58,7 @@ PlanOptions options_of(const PlanArguments& given) {
   RunOptions& run = options.run;
   if (!given.config.empty()) load_config(run.settings, given.config);
   for (const std::string& assignment : given.assignments) apply_assignment(run.settings, assignment);
-  run.products = given.products;
+  run.products = asked_products(given.products);
   run.footprints = given.footprints;
   run.id_field = given.id_field;
   run.stations = given.stations;

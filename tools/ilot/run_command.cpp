@@ -5,13 +5,12 @@
 #include "engine/report/allowed_memory.h"
 #include "engine/run/inputs/inputs.h"
 #include "engine/run/inputs/read_area.h"
-#include "engine/run/products.h"
 #include "engine/run/run.h"
 #include "engine/settings/config.h"
-#include "engine/settings/nearest_name.h"
 #include "engine/settings/parameters.h"
 #include "kernels/core/parallel.h"
 #include "tools/ilot/allocator.h"
+#include "tools/ilot/asked_products.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
 #include "tools/ilot/units.h"
@@ -34,18 +33,6 @@ struct RunArguments {
   bool print_config = false, verbose = false, quiet = false;
 };
 
-std::vector<std::string> product_names() {
-  std::vector<std::string> names;
-  for (const Product* product : all_products()) names.push_back(product->name);
-  return names;
-}
-
-std::string join(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 Settings settings_of(const RunArguments& given) {
   Settings settings;
   if (!given.config.empty()) load_config(settings, given.config);
@@ -57,20 +44,6 @@ Settings settings_of(const RunArguments& given) {
     parameter.set(settings, value);
   }
   return settings;
-}
-
-std::vector<std::string> products_of(const RunArguments& given) {
-  const std::vector<std::string> known = product_names();
-  std::vector<std::string> products = given.products;
-  for (const std::string& product : products) {
-    if (std::find(known.begin(), known.end(), product) == known.end())
-      throw Error("--products " + product + ": there is no such product" + did_you_mean(product, known) +
-                      "; there are: " + join(known),
-                  ExitCode::usage);
-  }
-  std::sort(products.begin(), products.end());
-  products.erase(std::unique(products.begin(), products.end()), products.end());
-  return products;
 }
 
 // Returns half of the memory that the machine or its control group allows, because other programs need memory too. The
@@ -85,7 +58,7 @@ std::uint64_t memory_of(const RunArguments& given) {
 RunOptions options_of(const RunArguments& given) {
   RunOptions options;
   options.settings = settings_of(given);
-  options.products = products_of(given);
+  options.products = asked_products(given.products);
   options.footprints = given.footprints;
   options.id_field = given.id_field;
   options.stations = given.stations;
