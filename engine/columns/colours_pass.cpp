@@ -34,7 +34,7 @@ Lab lab_of(StoredColour c) {
                       static_cast<std::uint8_t>(c));
 }
 
-bool has_colours(const Store& store) {
+bool have_colours(const Store& store) {
   for (std::uint32_t block = 0; block < store.blocks().size(); ++block)
     if (!store.has(block, columns::kColour)) return false;
   return !store.blocks().empty();
@@ -42,12 +42,15 @@ bool has_colours(const Store& store) {
 
 }  // namespace
 
+bool has_colours(const PointReader& input) {
+  return input.info().points > 0 && rgb_offset(input.info().layout.point_format).has_value();
+}
+
 bool colours_pass(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                   const PassContext& context) {
-  if (has_colours(store)) return true;
-  const RowValues<RawColour> rows(store, "colours", inputs, [&](std::size_t file) {
-    return rgb_offset(inputs[file]->info().layout.point_format).has_value();
-  });
+  if (have_colours(store)) return true;
+  const RowValues<RawColour> rows(store, "colours", inputs,
+                                  [&](std::size_t file) { return has_colours(*inputs[file]); });
   if (rows.empty()) return false;
   rows.read(kFieldRgb, context, colour_of, keep_largest);
   std::vector<int> shifts(inputs.size(), 0);

@@ -16,6 +16,9 @@ namespace ilot {
 using StoredColour = std::uint32_t;  // 0xRRGGBB
 constexpr StoredColour kNoColour = 0xff000000;
 
+// Whether the format of the input has colours, and the input points.
+bool has_colours(const PointReader& input);
+
 // Writes the column "colour" of every block if an input has colours; returns whether one has. A store whose
 // blocks all have the column keeps it, whatever the inputs are. Every input with colours is read once more, into files
 // of 6 bytes per row. Each block gathers its colours from these files, so the memory is that of one block. A file whose

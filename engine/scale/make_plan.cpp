@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/columns/colours_pass.h"
 #include "engine/error.h"
 #include "engine/formats/file.h"
 #include "engine/formats/remote_file.h"
@@ -145,7 +146,8 @@ void estimate_area(const PointMap& map, std::uint64_t neighbours, const Plan& pl
   area.processor_seconds = kMicroseconds * (static_cast<double>(rows) * kReading +
                                             static_cast<double>(area.points) * microseconds_of_point(plan));
   area.memory_bytes = kLeastMemory + (area.sites + neighbours) * kBytesOfSiteInMemory;
-  area.part_bytes = is_of_roofs(plan) ? area.sites * kPartBytesOfSite : map.in(area.own) * part_bytes_of_point(plan);
+  area.part_bytes =
+      is_of_roofs(plan) ? area.sites * kPartBytesOfSite : map.in(area.own) * part_bytes_of_point(plan, area);
 }
 
 void check_count(std::size_t areas) {
@@ -251,6 +253,7 @@ Plan begun(const PlanOptions& options, const RunInputs& inputs, const RunRecord&
     i.ends = ends_of(input.path);
     i.date = inputs.sources[plan.inputs.size() - 1].date;
     i.stations = inputs.row_stations[plan.inputs.size() - 1];
+    i.colours = has_colours(*inputs.readers[plan.inputs.size() - 1]);
   }
   parallel_for(plan.inputs.size(), [&](std::size_t i) { plan.inputs[i].sha256 = sum_of_file(record.inputs[i].path); });
   return plan;

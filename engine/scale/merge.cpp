@@ -112,6 +112,7 @@ int merge_in_arena(const MergeOptions& options, Progress& progress) {
   const FolderLock lock(out, "or give another -o");
   finish_swap(out);
   fs::remove_all(staging);
+  fs::remove_all(out / ".store");  // of a merge that was killed
   fs::create_directories(staging);
   progress.run_start("ilot merge");
   RunRecord record = begun(plan);

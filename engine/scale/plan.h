@@ -34,6 +34,7 @@ struct PlanInput {
   IndexBox box = IndexBox::none();  // of its points in the store, lattice steps
   std::string date;                 // InputSource::date
   InputStations stations;           // of its rows
+  bool colours = false;             // has_colours()
 };
 
 // What the product roofs needs of the whole run.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -20,7 +22,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFormat = "ilot plan 3";
+constexpr const char* kFormat = "ilot plan 4";
+
+// A number of plan.json that the plan cannot have.
+struct WrongNumber {};
+
+template <class Number>
+Number number_of(const Json& j) {
+  const auto value = j.get<std::uint64_t>();
+  if (!j.is_number_unsigned() || value > std::numeric_limits<Number>::max()) throw WrongNumber();
+  return static_cast<Number>(value);
+}
 
 IndexBox box_of(const Json& list) {
   if (list.is_null()) return IndexBox::none();
@@ -50,9 +62,9 @@ Crs crs_of(const Json& j) {
 
 InputStations row_stations_of(const Json& j) {
   InputStations s;
-  s.of_all = j.at("all").get<StationNumber>();
+  s.of_all = number_of<StationNumber>(j.at("all"));
   for (const Json& pair : j.at("of_source"))
-    s.of_source[pair.at(0).get<std::uint16_t>()] = pair.at(1).get<StationNumber>();
+    s.of_source[number_of<std::uint16_t>(pair.at(0))] = number_of<StationNumber>(pair.at(1));
   return s;
 }
 
@@ -97,7 +109,8 @@ Json input_json(const PlanInput& i) {
           {"ends", i.ends},
           {"box_steps", box_json(i.box)},
           {"date", i.date},
-          {"stations", row_stations_json(i.stations)}};
+          {"stations", row_stations_json(i.stations)},
+          {"colours", i.colours}};
 }
 
 PlanInput input_of(const Json& j) {
@@ -113,6 +126,7 @@ PlanInput input_of(const Json& j) {
   i.box = box_of(j.at("box_steps"));
   i.date = j.at("date").get<std::string>();
   i.stations = row_stations_of(j.at("stations"));
+  i.colours = j.at("colours").get<bool>();
   return i;
 }
 
@@ -197,7 +211,7 @@ PlanArea area_of(const Json& j) {
   a.column = j.at("column").get<std::int64_t>();
   a.own = box_of(j.at("own_steps"));
   a.sites = j.at("buildings").get<std::uint64_t>();
-  a.inputs = j.at("inputs").get<std::vector<std::uint32_t>>();
+  for (const Json& i : j.at("inputs")) a.inputs.push_back(number_of<std::uint32_t>(i));
   a.read = box_of(j.at("read_steps"));
   a.points = j.at("points").get<std::uint64_t>();
   a.input_bytes = j.at("input_bytes").get<std::uint64_t>();
@@ -234,6 +248,19 @@ void read_notes(const Json& j, Plan& p) {
   p.warnings = j.at("warnings").get<std::vector<std::string>>();
 }
 
+// Numbers that are used as places in lists.
+void check_numbers(const Plan& p) {
+  for (const PlanInput& input : p.inputs) {
+    StationNumber most = input.stations.of_all;
+    for (const auto& [source, station] : input.stations.of_source) most = std::max(most, station);
+    if (most > p.stations.size()) throw WrongNumber();
+  }
+  for (const PlanArea& area : p.areas) {
+    const bool ascending = std::ranges::adjacent_find(area.inputs, std::ranges::greater_equal()) == area.inputs.end();
+    if (!ascending || (!area.inputs.empty() && area.inputs.back() >= p.inputs.size())) throw WrongNumber();
+  }
+}
+
 Plan plan_of(const Json& j) {
   Plan p;
   p.version = j.at("version").get<std::string>();
@@ -262,6 +289,7 @@ Plan plan_of(const Json& j) {
   p.halo_why = j.at("halo").at("why").get<std::string>();
   p.area_size = j.at("area_size_m").get<double>();
   for (const Json& a : j.at("areas")) p.areas.push_back(area_of(a));
+  check_numbers(p);
   return p;
 }
 
@@ -331,11 +359,14 @@ Plan read_plan(const std::filesystem::path& folder) {
   text << file.rdbuf();
   const Json j = Json::parse(text.str(), nullptr, false);
   if (!j.is_object() || j.value("format", "") != kFormat) throw Error(path.string() + ": is no plan of this program");
+  const Error damaged(path.string() + ": is damaged; make the plan again");
   Plan plan;
   try {
     plan = plan_of(j);
   } catch (const nlohmann::json::exception&) {
-    throw Error(path.string() + ": is damaged; make the plan again");
+    throw damaged;
+  } catch (const WrongNumber&) {
+    throw damaged;
   }
   if (plan.version != version() || plan.git_hash != git_hash())
     throw Error(path.string() + ": was made by ilot " + plan.version + " (" + plan.git_hash + "), this is " +

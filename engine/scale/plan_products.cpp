@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engine/columns/colours_pass.h"
 #include "engine/error.h"
 #include "engine/products/planes/product.h"
 #include "engine/products/roofs/product.h"
@@ -20,8 +21,19 @@ bool any(const Plan& plan, bool Product::*needs) {
   return std::ranges::any_of(products_to_make(plan.products), needs);
 }
 
+bool has_planes(const std::vector<std::string>& products) {
+  return std::ranges::count(products_to_make(products), &planes_product()) > 0;
+}
+
+// Planes read colours for their classes alone.
+bool asks_for_colours(const Plan& plan) {
+  return std::ranges::any_of(products_to_make(plan.products), [&](const Product* product) {
+    return product->reads_colours && (product != &planes_product() || plan.settings.planes.colour_classes > 0);
+  });
+}
+
 void check_planes(const RunOptions& run) {
-  if (std::ranges::count(products_to_make(run.products), &planes_product()) == 0) return;
+  if (!has_planes(run.products)) return;
   if (run.settings.planes.method == PlaneMethod::colour_ransac)
     throw Error(
         "planes.method = colour_ransac: its classes of colours depend on all points, and a plan does not "
@@ -43,6 +55,9 @@ void check_products(const RunOptions& run) {
   if (!roofs && !run.footprints.empty())
     throw Error("--footprints " + run.footprints.string() + ": only the product roofs reads it; leave it out",
                 ExitCode::usage);
+  if (!run.stations.empty() && !has_planes(run.products))
+    throw Error("--stations " + run.stations.string() + ": only planes and facades read it; leave it out",
+                ExitCode::usage);
   check_planes(run);
 }
 
@@ -51,15 +66,20 @@ bool is_of_roofs(const Plan& plan) {
 }
 
 bool searches_planes(const Plan& plan) {
-  return std::ranges::count(products_to_make(plan.products), &planes_product()) > 0;
+  return has_planes(plan.products);
 }
 
 Settings settings_of_cells(const Plan& plan) {
   return settings_of_planes(plan.settings, asks_for(plan.products, planes_product()));
 }
 
-bool carries_colours(const Plan& plan) {
-  return any(plan, &Product::reads_colours);
+bool reads_colours(const Plan& plan) {
+  return asks_for_colours(plan) && std::ranges::any_of(plan.inputs, &PlanInput::colours);
+}
+
+bool carries_colours(const Plan& plan, const PlanArea& area) {
+  const auto coloured = [&](std::uint32_t input) { return plan.inputs[input].colours; };
+  return asks_for_colours(plan) && std::ranges::any_of(area.inputs, coloured);
 }
 
 bool carries_stations(const Plan& plan, const PlanArea& area) {
@@ -71,10 +91,11 @@ bool carries_stations(const Plan& plan, const PlanArea& area) {
          std::ranges::any_of(area.inputs, told_by_rows);
 }
 
-std::uint64_t part_bytes_of_point(const Plan& plan) {
+std::uint64_t part_bytes_of_point(const Plan& plan, const PlanArea& area) {
   // Derived: code and place in the inputs; normal and label where planes are searched, and little for the planes.
   constexpr std::uint64_t kOfPoint = 16, kOfPlanes = 12;
-  return kOfPoint + (searches_planes(plan) ? kOfPlanes : 0);
+  return kOfPoint + (searches_planes(plan) ? kOfPlanes : 0) + (carries_colours(plan, area) ? sizeof(StoredColour) : 0) +
+         (carries_stations(plan, area) ? sizeof(StationNumber) : 0);
 }
 
 double microseconds_of_point(const Plan& plan) {

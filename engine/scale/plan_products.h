@@ -20,13 +20,16 @@ bool is_of_roofs(const Plan& plan);
 bool searches_planes(const Plan& plan);
 Settings settings_of_cells(const Plan& plan);
 
-// Whether the parts have the colours of points, and whether that of this area has their stations. Where an input has
-// one station the plan knows it, so that its points need none.
-bool carries_colours(const Plan& plan);
+// Whether a product reads the colours of points and an input has them.
+bool reads_colours(const Plan& plan);
+
+// Whether the part of this area has the colours of points, and whether it has their stations. Where an input has one
+// station the plan knows it, so that its points need none.
+bool carries_colours(const Plan& plan, const PlanArea& area);
 bool carries_stations(const Plan& plan, const PlanArea& area);
 
-// The bytes that a part has for each point, about.
-std::uint64_t part_bytes_of_point(const Plan& plan);
+// The bytes that the part of this area has for each point, about.
+std::uint64_t part_bytes_of_point(const Plan& plan, const PlanArea& area);
 
 // The microseconds of one processor that a task needs for each point, beside reading.
 double microseconds_of_point(const Plan& plan);

@@ -165,12 +165,42 @@ class Scale(RunTest):
 
     def test_what_is_refused(self):
         for options, why in ((("--products", "roofs,streets"), "one plan for roofs alone"),
+                             (("--products", "bogus"), "bogus: there is no such product"),
+                             (("--products", "roof"), "did you mean 'roofs'"),
+                             (("--products", "planes,bogus"), "bogus: there is no such product"),
+                             (("--products", ""), "there are: planes"),
+                             (("--stations", self.cloud), "only planes and facades read it"),
+                             (("--products", "streets", "--stations", self.cloud), "only planes and facades read it"),
                              (("--set", "roofs.dtm=true"), "makes no terrain model"),
                              (("--set", "classes.write=true"), "writes no clouds")):
             done = ilot("plan", self.inputs, "-o", self.folder / "p", *options)
-            self.assertEqual(done.returncode, 2)
+            self.assertEqual(done.returncode, 2, done.stderr)
             self.assertIn(why, done.stderr)
             self.assertFalse((self.folder / "p").exists())
+
+    def test_products_in_one_order(self):
+        for given, kept in (("roofs,roofs", ["roofs"]), ("streets,facades", ["facades", "streets"])):
+            self.assertEqual(self.plan("--products", given)[1]["products"], kept)
+
+    def test_a_damaged_plan(self):
+        """Numbers that are places in lists."""
+        plan, what = self.plan("--area-size", 100_000, "--footprints", self.footprints())
+
+        def areas_with(inputs):
+            return {"areas": [{**what["areas"][0], "inputs": inputs}]}
+
+        def inputs_with(stations):
+            return {"inputs": [{**what["inputs"][0], "stations": stations}, *what["inputs"][1:]]}
+
+        for other in (areas_with([0, 2]), areas_with([1, 0]), areas_with([0, 1 + 2**32]), areas_with([-1, 0]),
+                      inputs_with({"all": 1, "of_source": []}), inputs_with({"all": 2**16, "of_source": []}),
+                      inputs_with({"all": 0, "of_source": [[1, 1]]}), inputs_with({"all": 0, "of_source": [[2**16, 0]]})):
+            (plan / "plan.json").write_text(json.dumps({**what, **other}))
+            done = self.task(plan, 1)
+            self.assertEqual(done.returncode, 1, other)
+            self.assertIn("is damaged; make the plan again", done.stderr)
+        (plan / "plan.json").write_text(json.dumps(what))
+        self.assertIn(self.task(plan, 1).returncode, (0, 3))
 
     def test_make_runs_the_plan(self):
         options = ("--footprints", self.footprints())

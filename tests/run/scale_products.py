@@ -46,7 +46,26 @@ class PlanOfFacades(FacadesTest):
         one = self.one_run(inputs, *options)
         self.assertGreater(one["counts"]["facades"]["facades"], 3)
         self.assertEqual(self.equal(one, inputs, 100_000, *options), 1)
+        self.refused_without_stations(self.folder / "plan-1")
         self.assertGreaterEqual(self.equal(one, inputs, 33, *options, merge=("--memory", "96M", "--threads", "1")), 4)
+        self.expected_sizes(self.folder / "plan-2")
+
+    def refused_without_stations(self, plan):
+        """A part with stations, and a plan.json that has lost them."""
+        what = json.loads((plan / "plan.json").read_text())
+        what["stations"]["list"] = []
+        for given in what["inputs"]:
+            given["stations"] = {"all": 0, "of_source": []}
+        (plan / "plan.json").write_text(json.dumps(what))
+        done = ilot("merge", plan, "-o", self.folder / "no")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("names a station that the plan does not have", done.stderr)
+
+    def expected_sizes(self, plan):
+        """The parts are about as large as the plan says."""
+        expected = sum(area["part_bytes"] for area in json.loads((plan / "plan.json").read_text())["areas"])
+        found = sum(path.stat().st_size for path in (plan / "parts").iterdir())
+        self.assertLess(abs(found / expected - 1), 0.1, (found, expected))
 
     def test_stations_that_files_are_called_after(self):
         path, options = self.row()
@@ -59,10 +78,48 @@ class PlanOfFacades(FacadesTest):
         path, stations = self.row()
         options = (*stations, "--set", "boundaries.step=stations")
         self.assertGreaterEqual(self.equal(self.one_run(path, *options), path, 60, *options), 2)
+        self.expected_sizes(self.folder / "plan-1")  # without colours, which nothing reads
 
     def test_without_stations(self):
         path, _ = self.row()
         self.assertGreaterEqual(self.equal(self.one_run(path), path, 60), 2)
+
+    def test_colours_of_points_that_are_not_used(self):
+        """Drawings are coloured where the format of an input has colours, though no point of this input is used."""
+        las, folder = Las.read(self.row()[0]), self.folder / "formats"
+        folder.mkdir()
+        self.assertEqual(las.data[104], 7)
+        records = list(las.records())
+        withheld = [r[:15] + bytes([r[15] | 4]) + r[16:] for r in records[:100]]
+        las.write(folder / "coloured.las", withheld)
+        bare = bytearray(las.data[:las.start])
+        bare[104], bare[105] = 6, las.length - 6
+        Las(bytes(bare)).write(folder / "bare.las", [r[:30] + r[36:] for r in records])
+        self.assertGreaterEqual(self.equal(self.one_run(folder), folder, 60), 2)
+
+    def ptx(self, path, stations):
+        """Writes the points of each station as a PTX file with its place, turned by nothing."""
+        las, folder = Las.read(path), self.folder / "ptx"
+        folder.mkdir()
+        places = [line.split(",") for line in stations.read_text().split()]
+        places = [dict(zip(places[0], row)) for row in places[1:]]
+        of_station = {}
+        for record, point in zip(las.records(), las.points()):
+            of_station.setdefault(int.from_bytes(record[20:22], "little"), []).append((point, record[30:36:2]))
+        for number, (name, points) in enumerate(sorted(of_station.items())):
+            x, y, z = (float(places[number][axis]) for axis in "xyz")
+            axes = "1 0 0\n0 1 0\n0 0 1\n"
+            matrix = axes.replace("\n", " 0\n") + f"{x} {y} {z} 1\n"
+            rows = "".join(f"{p[0] - x:.4f} {p[1] - y:.4f} {p[2] - z:.4f} 0.5 {c[0]} {c[1]} {c[2]}\n" for p, c in points)
+            (folder / f"{name}.ptx").write_text(f"{len(points)}\n1\n{x} {y} {z}\n{axes}{matrix}{rows}")
+        return folder
+
+    def test_stations_of_ptx(self):
+        path, (_, stations) = self.row()
+        inputs = self.ptx(path, stations)
+        one = self.one_run(inputs)
+        self.assertGreater(one["counts"]["facades"]["facades"], 3)
+        self.assertGreaterEqual(self.equal(one, inputs, 60), 2)
 
     def updated(self, plan, *options):
         """An update of the plan, and the areas that are left to do."""
@@ -123,8 +180,9 @@ class PlanOfAll(FacadesTest):
         plan, what = self.plan(inputs, "--area-size", 60, *options)
         for area in what["areas"]:
             self.assertEqual(self.task(plan, area["area"]).returncode, 0)
-        self.merged(plan, "--labels")
         out = self.folder / f"out-{plan.name}"
+        (out / ".store/blocks").mkdir(parents=True)  # of a merge without --labels that was killed
+        self.merged(plan, "--labels")
         for number in (3, 1, 4, 2):
             self.assertEqual(self.label(plan, number, out).returncode, 0)
         record = json.loads((out / "run.json").read_text())

@@ -33,7 +33,7 @@ std::uint64_t write_cells(const Store& store, const RunInputs& inputs, const Pla
   for (const Cell& cell : cells) points += cell.points;
   progress.begin_stage("cells", points);
   if (planes) planes_pass(store, cells, settings_of_cells(plan), context);
-  if (carries_colours(plan)) colours_pass(store, inputs.readers, context);
+  if (carries_colours(plan, area)) colours_pass(store, inputs.readers, context);
   if (carries_stations(plan, area)) stations_pass(store, inputs.readers, inputs.row_stations, context);
   progress.end_stage();
   for (const Cell& cell : cells) {

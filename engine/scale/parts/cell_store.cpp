@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/scale/parts/cell_store.h"
 
+#include <algorithm>
 #include <atomic>
 #include <optional>
 #include <string>
@@ -28,18 +29,17 @@ constexpr const char* kNormalsOfCell = ".normals";
 constexpr const char* kColoursOfCell = ".colours";
 constexpr const char* kStationsOfCell = ".stations";
 
-// Which of the columns that not all parts have is in one of them.
-struct Carried {
-  std::atomic<bool> colours = false, stations = false;
-};
-
 fs::path carried(const Store& store, const Node& node, const char* suffix) {
   return store.folder() / "carried" / (node.name() + suffix);
 }
 
-// The points of the cell go to the run, all else to files of its own. `inputs` are those of its area.
-void unpack_cell(const CellRecord& r, std::span<const std::uint32_t> inputs, const Store& store, SortedRunWriter& run,
-                 Carried& any) {
+// The points of the cell go to the run, all else to files of its own. `inputs` are those of its area. Sets
+// `any_stations` where the cell has stations.
+void unpack_cell(const CellRecord& r, std::span<const std::uint32_t> inputs, const Plan& plan, const Store& store,
+                 SortedRunWriter& run, std::atomic<bool>& any_stations) {
+  const auto known = [&](StationNumber station) { return station <= plan.stations.size(); };
+  if (!std::ranges::all_of(r.stations, known))
+    throw Error("a cell of a part names a station that the plan does not have");
   std::vector<KeyValue> points(r.codes.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::uint32_t place = file_of(r.order[i]);
@@ -53,14 +53,14 @@ void unpack_cell(const CellRecord& r, std::span<const std::uint32_t> inputs, con
     return !values.empty();
   };
   keep(carried(store, r.node, kNormalsOfCell), r.normals);
-  if (keep(carried(store, r.node, kColoursOfCell), r.colours)) any.colours = true;
-  if (keep(carried(store, r.node, kStationsOfCell), r.stations)) any.stations = true;
+  keep(carried(store, r.node, kColoursOfCell), r.colours);
+  if (keep(carried(store, r.node, kStationsOfCell), r.stations)) any_stations = true;
   keep(shapes_path(store, cell), r.shapes);
   keep(cell_path(store, cell), r.planes);
 }
 
-SortedRun unpack_part(const fs::path& part, std::span<const std::uint32_t> inputs, const Store& store,
-                      const fs::path& stem, Carried& any) {
+SortedRun unpack_part(const fs::path& part, std::span<const std::uint32_t> inputs, const Plan& plan, const Store& store,
+                      const fs::path& stem, std::atomic<bool>& any_stations) {
   SortedRunWriter run(stem);
   RecordFileReader file(part);
   std::optional<Node> last;
@@ -72,7 +72,7 @@ SortedRun unpack_part(const fs::path& part, std::span<const std::uint32_t> input
       if (last && !(before(*last, cell.node) && !last->contains(cell.node)))
         throw Error(part.string() + ": its cells are not in order");
       last = cell.node;
-      unpack_cell(cell, inputs, store, run, any);
+      unpack_cell(cell, inputs, plan, store, run, any_stations);
     }
   } catch (const nlohmann::json::exception&) {
     throw Error(part.string() + ": is damaged; remove it and run its task again");
@@ -114,10 +114,10 @@ Store store_of_parts(const fs::path& parts, std::span<const std::uint64_t> areas
   for (const char* name : {"runs", "blocks", "cells", "carried"}) fs::create_directories(folder / name);
   const Store empty(folder, plan.lattice.unit, {});
   std::vector<SortedRun> runs(areas.size());
-  Carried any;
+  std::atomic<bool> any_stations = false;
   run_pass(std::vector<PassTask>(areas.size(), {kBytesToUnpack, 1}), context.budget_bytes, [&](std::size_t i) {
-    runs[i] = unpack_part(parts / std::to_string(areas[i]), plan.areas[areas[i] - 1].inputs, empty,
-                          folder / "runs" / std::to_string(i), any);
+    runs[i] = unpack_part(parts / std::to_string(areas[i]), plan.areas[areas[i] - 1].inputs, plan, empty,
+                          folder / "runs" / std::to_string(i), any_stations);
   });
   IndexParams params;
   params.block_points = block_points;
@@ -127,8 +127,9 @@ Store store_of_parts(const fs::path& parts, std::span<const std::uint64_t> areas
     const std::vector<Cell> cells = canonical_cells(store, context.metres_per_unit);
     check_cells(store, cells);
     spread(store, cells, columns::kNormals, kNormalsOfCell, PackedNormal{}, context);
-    if (any.colours) spread(store, cells, columns::kColour, kColoursOfCell, kNoColour, context);
-    if (any.stations) spread(store, cells, columns::kStation, kStationsOfCell, StationNumber{0}, context);
+    // As in a run, whose drawings are coloured where an input has colours, even if none of its points is used.
+    if (reads_colours(plan)) spread(store, cells, columns::kColour, kColoursOfCell, kNoColour, context);
+    if (any_stations) spread(store, cells, columns::kStation, kStationsOfCell, StationNumber{0}, context);
   }
   fs::remove_all(folder / "carried");
   return store;
