@@ -76,9 +76,9 @@ class PlanOfFacades(FacadesTest):
         """Planes alone need of the stations only their places and angular steps."""
         self.products = "planes"
         path, stations = self.row()
-        options = (*stations, "--set", "boundaries.step=stations")
+        options = (*stations, "--set", "boundaries.step=stations", "--set", "planes.colour_classes=0")
         self.assertGreaterEqual(self.equal(self.one_run(path, *options), path, 60, *options), 2)
-        self.expected_sizes(self.folder / "plan-1")  # without colours, which nothing reads
+        self.expected_sizes(self.folder / "plan-1")  # without colours, which nothing reads then
 
     def test_without_stations(self):
         path, _ = self.row()
