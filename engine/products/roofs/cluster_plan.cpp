@@ -21,13 +21,13 @@ constexpr double kLeastDistance = 0.5;  // metres [Boltcheva et al. 2019, 3.1]
 constexpr double kStepsOfDistance = 2;  // sampling steps
 // Choice: the cells of the median of density; time alone beyond 1 m.
 constexpr double kCountingCell = 2.1;  // metres, at most
-constexpr std::uint64_t kBytesToCount = 24, kBytesToOutline = 256;
+constexpr std::uint64_t kBytesToCount = 40, kBytesToOutline = 256;
 constexpr std::int64_t kMillimetresPerMetre = 1000;
 
-// A square of the plan, and how many building points it has.
+// A square of the plan, and how many building points it has. Two metres wide, so that its numbers fit.
 struct CountedCell {
-  std::int64_t x = 0, y = 0;
-  std::uint64_t points = 0;
+  std::int32_t x = 0, y = 0;
+  std::uint32_t points = 0;
 };
 
 bool same_cell(const CountedCell& a, const CountedCell& b) {
@@ -56,7 +56,7 @@ std::vector<CountedCell> cells_of(const Store& store, std::uint32_t block, int c
   for (std::size_t i = 0; i < roles.size(); ++i) {
     if (roles[i] != PointRole::building) continue;
     const Index3 p = index_of({store.blocks()[block].node.tile, codes[i]});
-    const CountedCell cell{p.x >> cell_bits, p.y >> cell_bits, 1};
+    const CountedCell cell{static_cast<std::int32_t>(p.x >> cell_bits), static_cast<std::int32_t>(p.y >> cell_bits), 1};
     if (!cells.empty() && same_cell(cells.back(), cell)) {
       ++cells.back().points;
     } else {

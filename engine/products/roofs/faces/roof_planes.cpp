@@ -129,10 +129,12 @@ void give_normals(const NeighbourIndex& index, const NeighbourLists& neighbours,
 // its own step is a gap by theirs, the roof's counts.
 Sampling sampling_of_roof(const Cloud& c, const Sampling& all) {
   std::vector<Vec3> others;
-  for (std::size_t i = 0; i < c.size; ++i)
-    if (std::abs(c.nz[i]) >= kSteepest) others.push_back(kUnit * c.position(static_cast<std::uint32_t>(i)));
-  // Choice: as seen_from() decides that walls were seen.
-  if (4 * others.size() > 3 * c.size) return all;
+  for (std::uint32_t i = 0; i < c.size; ++i) {
+    const bool known = c.nx[i] != 0 || c.ny[i] != 0 || c.nz[i] != 0;
+    if (!known || std::abs(c.nz[i]) >= kSteepest) others.push_back(kUnit * c.position(i));
+  }
+  // Choice: walls with a quarter of the points or less do not decide what is measured of all.
+  if (4 * others.size() >= 3 * c.size) return all;
   const Cloud roof = cloud_of(others);
   const Sampling found = measure_sampling(build_neighbour_index(roof.points()));
   return found.step > kPlaneGapSteps * all.step ? found : all;

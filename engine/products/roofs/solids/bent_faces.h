@@ -12,7 +12,7 @@ enum class Division { pieces, triangles };
 
 // Divides each roof face of which a corner is farther than `most_bent` from the least squares plane of its corners. The
 // parts keep the number of the face. The solid stays closed. Returns whether a face was divided. O(n^2) in the corners
-// of such a face.
+// of such a face for each part.
 bool divide_bent_faces(RoofSolid& solid, Division how, double most_bent = kMostBent);
 
 }  // namespace ilot

@@ -42,17 +42,21 @@ Mesh mesh_of(const LatticeVertices& vertices, const FaceRings& rings) {
   return mesh;
 }
 
+// What a triangle is to the piece that grows.
+enum class Place : std::uint8_t { free, elsewhere, inside, refused };
+
 // Triangles whose union has one ring that passes no vertex twice, because each adds a corner that the piece did not
 // have.
 class Piece {
  public:
-  Piece(const LatticeVertices& vertices, const Mesh& mesh, const std::vector<std::uint8_t>& taken, double most_bent)
-      : vertices_(vertices), mesh_(mesh), state_(taken), most_bent_(most_bent) {}
+  Piece(const LatticeVertices& vertices, const Mesh& mesh, const std::vector<Place>& places, double most_bent)
+      : vertices_(vertices), mesh_(mesh), places_(places), has_(vertices.points.size(), 0), most_bent_(most_bent) {}
 
   void grow(std::uint32_t seed) {
     add(seed);
     const TriangleCorners& c = mesh_.triangles[seed];
     corners_[0].assign(c.begin(), c.end());
+    for (const std::uint32_t corner : c) has_[corner] = 1;
     plane_ = plane_of(vertices_, corners_);
     while (add_next()) {
     }
@@ -73,12 +77,10 @@ class Piece {
   }
 
  private:
-  enum State : std::uint8_t { kFree, kElsewhere, kInside, kRefused };
-
-  bool inside(std::uint32_t t) const { return t != kNone && state_[t] == kInside; }
+  bool inside(std::uint32_t t) const { return t != kNone && places_[t] == Place::inside; }
 
   void add(std::uint32_t t) {
-    state_[t] = kInside;
+    places_[t] = Place::inside;
     triangles_.push_back(t);
     area_ += mesh_.area[t];
   }
@@ -88,9 +90,9 @@ class Piece {
     std::uint32_t best = kNone, best_corner = kNone;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (state_[t] != kFree) continue;
+      if (places_[t] != Place::free) continue;
       const std::uint32_t corner = corner_across(t);
-      if (corner == kNone || has(corner)) continue;
+      if (corner == kNone || has_[corner] != 0) continue;
       const double away = std::abs(dot(plane_.n, offset(vertices_, corner, plane_.anchor) - plane_.centre));
       if (away < nearest) nearest = away, best = t, best_corner = corner;
     }
@@ -111,20 +113,18 @@ class Piece {
     const FacePlane plane = plane_of(vertices_, corners_);
     if (farthest_from(plane, vertices_, corners_) <= most_bent_) {
       plane_ = plane;
+      has_[corner] = 1;
       add(t);
     } else {
       corners_[0].pop_back();
-      state_[t] = kRefused;
+      places_[t] = Place::refused;
     }
-  }
-
-  bool has(std::uint32_t corner) const {
-    return std::find(corners_[0].begin(), corners_[0].end(), corner) != corners_[0].end();
   }
 
   const LatticeVertices& vertices_;
   const Mesh& mesh_;
-  std::vector<std::uint8_t> state_;
+  std::vector<Place> places_;      // of the triangles
+  std::vector<std::uint8_t> has_;  // per vertex: 1 = a corner of the piece
   double most_bent_;
   FaceRings corners_{{}};  // in the order in which they came
   FacePlane plane_;
@@ -145,18 +145,18 @@ std::vector<std::vector<std::uint32_t>> planar_pieces(const LatticeVertices& ver
                                                       double most_bent) {
   const Mesh mesh = mesh_of(vertices, rings);
   std::vector<std::uint32_t> seeds = largest_first(mesh);
-  std::vector<std::uint8_t> taken(mesh.triangles.size(), 0);
+  std::vector<Place> places(mesh.triangles.size(), Place::free);
   std::vector<std::vector<std::uint32_t>> pieces;
   while (!seeds.empty()) {
     std::optional<Piece> best;
     for (std::size_t i = 0; i < std::min(kSeeds, seeds.size()); ++i) {
-      Piece piece(vertices, mesh, taken, most_bent);
+      Piece piece(vertices, mesh, places, most_bent);
       piece.grow(seeds[i]);
       if (!best || piece.area() > best->area()) best.emplace(std::move(piece));
     }
     pieces.push_back(best->ring());
-    for (const std::uint32_t t : best->triangles()) taken[t] = 1;
-    std::erase_if(seeds, [&](std::uint32_t t) { return taken[t] != 0; });
+    for (const std::uint32_t t : best->triangles()) places[t] = Place::elsewhere;
+    std::erase_if(seeds, [&](std::uint32_t t) { return places[t] != Place::free; });
   }
   return pieces;
 }

@@ -11,7 +11,7 @@ namespace ilot {
 // the corners of its piece. Each piece is one ring that passes no vertex twice, oriented as the outer ring of the face.
 // They are grown from triangles of the face, the largest piece first, by the triangle whose corner is nearest to the
 // plane of the piece; so one corner that is off costs a few triangles and not the whole face. A hole is always between
-// two pieces. O(n^2) in corners.
+// two pieces. O(n^2) in corners for each piece.
 std::vector<std::vector<std::uint32_t>> planar_pieces(const LatticeVertices& vertices, const FaceRings& rings,
                                                       double most_bent);
 
