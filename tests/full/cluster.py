@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Dask (scheduler and two workers on the loopback), Snakemake and Slurm's array script run a plan of roofs, and one of planes
-with labelled clouds; each result is that of one run. The Slurm script runs without daemons, with SLURM_ARRAY_TASK_ID set. Debian: python3-distributed, snakemake."""
+"""Dask (scheduler and two workers on the loopback), Snakemake and Slurm run a plan of roofs, one of planes with labelled clouds
+and one of facades; each result is that of one run. Slurm is its real daemons on the loopback where they can run (as root);
+else its array script runs without them, with SLURM_ARRAY_TASK_ID set, and that is said. Debian: python3-distributed,
+snakemake, slurm-wlm, munge."""
 import json
 import os
 import pathlib
@@ -10,6 +12,8 @@ import subprocess
 import sys
 import tempfile
 import time
+
+import slurm_loopback
 
 EXE = os.environ["ILOT_EXE"]
 PORT = "18789"
@@ -67,6 +71,21 @@ def with_slurm_script(folder, plan, areas, clouds):
     return folder / "slurm"
 
 
+def with_slurm(folder, plan, areas, clouds):
+    program = script(plan, "slurm", folder / "plan.sh")
+    out = folder / "slurm-daemons"
+    with slurm_loopback.cluster(folder / "cluster") as environment:
+        output = ["--output", folder / "job-%j.log"]
+        tasks = slurm_loopback.submit(environment, *output, f"--array=1-{areas}", program)
+        merge = f"'{EXE}' merge '{plan}' -o '{out}' {'--labels' if clouds else ''}"
+        merged = slurm_loopback.submit(environment, *output, f"--dependency=afterok:{tasks}", "--wrap", merge)
+        if clouds:
+            slurm_loopback.submit({**environment, "LABEL_TO": str(out)}, *output, f"--array=1-{clouds}",
+                                  f"--dependency=afterok:{merged}", program)
+        slurm_loopback.wait_for_jobs(environment)
+    return out
+
+
 def compare(cloud, folder, product, clouds):
     """`clouds` is the number of labelled clouds to write."""
     folder = folder / product
@@ -75,7 +94,10 @@ def compare(cloud, folder, product, clouds):
     plan = folder / "plan"
     run(EXE, "plan", cloud, "-o", plan, "--products", product, "--area-size", "100")
     areas = len(json.loads((plan / "plan.json").read_text())["areas"])
-    for work in (with_dask, with_snakemake, with_slurm_script):
+    no_daemons = slurm_loopback.reason_against()
+    if no_daemons:
+        print(f"Slurm without daemons: {no_daemons}")
+    for work in (with_dask, with_snakemake, with_slurm_script, *([] if no_daemons else [with_slurm])):
         same = hash_of(work(folder, plan, areas, clouds)) == hash_of(folder / "one")
         print(f"{product}, {work.__name__}: {areas} areas, {'the bytes of one run' if same else 'ANOTHER RESULT'}", flush=True)
         if not same:
@@ -93,6 +115,8 @@ def main():
         run(EXE, "scan", "district", "-o", folder / "d.laz", "--points", "200000", "-q")
         compare(folder / "d.laz", folder, "roofs", 0)
         compare(folder / "d.laz", folder, "planes", 1)
+        run(EXE, "scan", "row-wild", "--seed", "4242", "-o", folder / "row.laz", "--points", "100000", "-q")
+        compare(folder / "row.laz", folder, "facades", 1)
 
 
 if __name__ == "__main__":
