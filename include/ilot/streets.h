@@ -77,7 +77,7 @@ struct PavementWidth {
   bool kerb_seen = true;     // that of the kerb
   PavementEnd end = PavementEnd::open;
   double width_m = 0;          // in plan, from the kerb to the end; of an open end to the last ground that was seen
-  double error_m = 0;          // 95 % of the widths are as near to the true one, if this is what ends the pavement
+  double error_m = 0;          // nine in ten widths are as near to the true one, if this is what ends the pavement
   double passable_m = 0;       // the widest part of it that no object reaches into, up to 2.2 m above the ground
   double passable_from_m = 0;  // where that part begins, from the kerb
   double unseen_share = 0;     // of the width: neither ground nor an object was seen there
