@@ -34,7 +34,7 @@ Lab lab_of(StoredColour c) {
                       static_cast<std::uint8_t>(c));
 }
 
-bool have_colours(const Store& store) {
+bool are_written(const Store& store) {
   for (std::uint32_t block = 0; block < store.blocks().size(); ++block)
     if (!store.has(block, columns::kColour)) return false;
   return !store.blocks().empty();
@@ -48,7 +48,7 @@ bool has_colours(const PointReader& input) {
 
 bool colours_pass(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                   const PassContext& context) {
-  if (have_colours(store)) return true;
+  if (are_written(store)) return true;
   const RowValues<RawColour> rows(store, "colours", inputs,
                                   [&](std::size_t file) { return has_colours(*inputs[file]); });
   if (rows.empty()) return false;

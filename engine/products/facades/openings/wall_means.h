@@ -32,9 +32,8 @@ struct MeanLimits {
 struct WallMeans {
   std::vector<float> mean;  // metres before the form, of each cell that has points
   std::vector<std::int32_t> points;
-  double step = 0;  // metres: what lies so far before or behind the wall is told from it
-  double scatter =
-      0;  // metres: standard deviation of the means that lie before the form; it contains how the wall bows
+  double step = 0;     // metres: what lies so far before or behind the wall is not taken for the wall
+  double scatter = 0;  // metres: standard deviation of means before the form; it contains how the wall bows
 
   bool has(std::size_t cell) const { return points[cell] > 0; }
 };

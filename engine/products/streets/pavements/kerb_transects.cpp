@@ -25,8 +25,8 @@ class MeasuredLine {
   }
   double length() const { return length_.empty() ? 0 : length_.back(); }
   Vec3 at(double s) const {
-    std::size_t i = 1;
-    while (i + 1 < line_.size() && length_[i] < s) ++i;
+    const auto i =
+        static_cast<std::size_t>(std::lower_bound(length_.begin() + 1, length_.end() - 1, s) - length_.begin());
     const double piece = length_[i] - length_[i - 1];
     const double share = piece > 0 ? std::clamp((s - length_[i - 1]) / piece, 0.0, 1.0) : 0;
     return line_[i - 1] + share * (line_[i] - line_[i - 1]);

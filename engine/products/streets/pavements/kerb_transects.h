@@ -20,7 +20,7 @@ struct Transect {
 };
 
 // Places along a kerb in steps of `spacing` metres from its start, the first after half a step. The vertices are
-// metres, the pavement is on the left. O(vertices + places).
+// metres, the pavement is on the left. O(vertices + places log vertices).
 std::vector<Transect> transects_along(std::span<const Vec3> line, double spacing);
 
 // The kerbs of a street, for finding the next one in a direction.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/geometry/ring.h"
+
 namespace ilot {
 namespace {
 
@@ -21,15 +23,6 @@ bool in_step(const PavementWidth& a, const PavementWidth& b) {
   return kerb.x * end.x + kerb.y * end.y > 0;
 }
 
-double area_of(const std::vector<Vec3>& ring) {
-  double twice = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec3 a = ring[i] - ring[0], b = ring[(i + 1) % ring.size()] - ring[0];
-    twice += a.x * b.y - a.y * b.x;
-  }
-  return std::abs(twice) / 2;
-}
-
 Pavement area_of_run(std::span<const PavementWidth> run, double metres_per_unit) {
   Pavement p;
   p.kerb = run.front().kerb;
@@ -44,7 +37,7 @@ Pavement area_of_run(std::span<const PavementWidth> run, double metres_per_unit)
       p.length_m += std::hypot(run[i].from.x - run[i - 1].from.x, run[i].from.y - run[i - 1].from.y) * metres_per_unit;
   }
   for (std::size_t i = run.size(); i-- > 0;) p.ring.push_back(run[i].to);
-  p.area_m2 = area_of(p.ring) * metres_per_unit * metres_per_unit;
+  p.area_m2 = std::abs(doubled_area(p.ring).z) / 2 * metres_per_unit * metres_per_unit;
   std::sort(widths.begin(), widths.end());
   p.width_m = (widths[(widths.size() - 1) / 2] + widths[widths.size() / 2]) / 2;
   return p;

@@ -42,8 +42,7 @@ class StripReader {
     if (const double step = first_step(front.at); step < front.at) front = {step, PavementEnd::step};
     StripWidth out;
     out.end = front.end;
-    out.width = std::min(front.at, seen_to());
-    if (front.end != PavementEnd::open) out.width = front.at;
+    out.width = front.end == PavementEnd::open ? seen_to() : front.at;
     out.unseen_share = unseen_share(out.width);
     add_passable(out);
     return out;

@@ -7,10 +7,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "engine/run/run.h"
 #include "ilot/streets.h"
-#include "tests/support/cloud_store.h"
-#include "tests/support/file_bytes.h"
+#include "tests/engine/products/streets/street_runs.h"
 
 namespace ilot {
 namespace {
@@ -56,21 +54,9 @@ struct PavementOutcome {
 
 PavementOutcome run_pavements(const std::vector<Index3>& points, const std::function<void(RunOptions&)>& change = {}) {
   const TemporaryFolder folder;
-  const auto cloud = folder.path() / "street.las";
-  test::write_cloud(cloud, points);
-  RunOptions options;
-  options.inputs = {cloud};
-  options.output = folder.path() / "out";
-  options.products = {"streets"};
-  options.crs = "EPSG:2154";
-  options.threads = 2;
-  options.clouds = false;
-  options.settings.streets.view = StreetView::street;
-  if (change) change(options);
-  Progress progress;
-  run(options, progress);
-  return {read_streets(options.output), test::file_bytes(options.output / "streets" / "pavements.gpkg"),
-          nlohmann::json::parse(test::file_bytes(options.output / "run.json"))["counts"]["streets"]};
+  const test::StreetsOutcome done = test::run_mapped(folder, points, change);
+  return {read_streets(done.out), test::file_bytes(done.out / "streets" / "pavements.gpkg"),
+          done.record["counts"]["streets"]};
 }
 
 TEST(PavementMap, WidthsEndAtTheHousesAndTheYardIsOpen) {

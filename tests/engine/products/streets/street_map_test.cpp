@@ -4,12 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
-#include "engine/run/run.h"
 #include "ilot/streets.h"
-#include "tests/support/cloud_store.h"
+#include "tests/engine/products/streets/street_runs.h"
 
 namespace ilot {
 namespace {
@@ -53,29 +50,11 @@ struct MapOutcome {
   std::string trees, kerbs;  // bytes of the files
 };
 
-std::string map_bytes(const std::filesystem::path& file) {
-  std::stringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 MapOutcome run_street(const std::vector<Index3>& points, const std::function<void(RunOptions&)>& change = {}) {
   const TemporaryFolder folder;
-  const auto cloud = folder.path() / "street.las";
-  test::write_cloud(cloud, points);
-  RunOptions options;
-  options.inputs = {cloud};
-  options.output = folder.path() / "out";
-  options.products = {"streets"};
-  options.crs = "EPSG:2154";
-  options.threads = 2;
-  options.clouds = false;
-  options.settings.streets.view = StreetView::street;
-  if (change) change(options);
-  Progress progress;
-  run(options, progress);
-  return {read_streets(options.output), map_bytes(options.output / "streets" / "trees.gpkg"),
-          map_bytes(options.output / "streets" / "kerbs.gpkg")};
+  const std::filesystem::path out = test::run_mapped(folder, points, change).out;
+  return {read_streets(out), test::file_bytes(out / "streets" / "trees.gpkg"),
+          test::file_bytes(out / "streets" / "kerbs.gpkg")};
 }
 
 TEST(StreetMap, TheTreeIsWhereItStands) {

@@ -46,6 +46,16 @@ inline StreetsOutcome run_cloud(const TemporaryFolder& folder, const std::vector
   return out;
 }
 
+// The same from the street, without labelled clouds.
+inline StreetsOutcome run_mapped(const TemporaryFolder& folder, const std::vector<Index3>& points,
+                                 const std::function<void(RunOptions&)>& change = {}) {
+  return run_cloud(folder, points, "out", [&](RunOptions& options) {
+    options.clouds = false;
+    options.settings.streets.view = StreetView::street;
+    if (change) change(options);
+  });
+}
+
 // 24 m of street between facades of 9 m, a point each 5 cm, millimetres; boxes stand on it.
 inline std::vector<Index3> street_points(int slope_percent, int boxes, bool right_side = true) {
   Rng rng(3);
