@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,11 +22,20 @@ constexpr std::array<const char*, 18> kEditColumns{"product", "edit",  "kind",  
 struct Edit {
   std::string product;  // facades, streets or roofs
   EditAction action = EditAction::added;
-  std::string kind, to_kind;  // what it is, and what it shall be; empty: any, or as it is
-  std::vector<Vec3> at, to;   // CRS: where it is and where it shall be; an opening by two opposite corners
-  Area area;                  // of points; without rings where there is none
-  std::string note;           // for people
-  std::string where;          // FILE:LINE
+  std::string kind, to_kind;        // what it is, and what it shall be; empty: any, or as it is
+  std::vector<Vec3> at, to;         // CRS: where it is and where it shall be; an opening by two opposite corners
+  Area area;                        // of points; without rings where there is none
+  std::optional<double> low, high;  // CRS: heights of the points of an area, both included
+  std::string note;                 // for people
+  std::string where;                // FILE:LINE
+};
+
+// What became of one edit.
+enum class EditOutcome : std::uint8_t { made, repeated, without_partner };
+
+struct EditResult {
+  EditOutcome outcome = EditOutcome::made;
+  std::string reason;  // why it has no partner
 };
 
 }  // namespace ilot

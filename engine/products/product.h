@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/columns/run_inputs.h"
+#include "engine/model/facade_opening.h"
 #include "engine/pass/context.h"
 #include "engine/pass/measure.h"
 #include "engine/products/product_labels.h"
@@ -38,6 +39,7 @@ struct ProductRun {
   Progress& progress;
   RunRecord& record;
   std::shared_ptr<PlanesResult> planes = nullptr;  // by the product planes, for products that are found among planes
+  std::vector<FacadeOpening> openings = {};        // by the product facades, for buildings
 };
 
 // Whether a cloud suits a product, and the reason as half a sentence.

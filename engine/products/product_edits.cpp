@@ -41,4 +41,10 @@ void EditTally::without_partner(const Edit& edit, const std::string& reason) {
   record_.skipped.push_back({"edit", edit.where, reason});
 }
 
+void EditTally::add(const Edit& edit, const EditResult& result) {
+  if (result.outcome == EditOutcome::made) made();
+  if (result.outcome == EditOutcome::repeated) repeated();
+  if (result.outcome == EditOutcome::without_partner) without_partner(edit, result.reason);
+}
+
 }  // namespace ilot

@@ -26,6 +26,7 @@ class EditTally {
   void repeated();
   void outside();
   void without_partner(const Edit& edit, const std::string& reason);
+  void add(const Edit& edit, const EditResult& result);
 
  private:
   EditsRecord& counts();

@@ -99,7 +99,8 @@ BuildingReplay replay_building(const KeptRun& run, const std::string& id, Progre
     throw Error("building:" + id + ": the run made no buildings (--products roofs)", ExitCode::usage);
   const std::vector<PlannedSite> sites = planned_sites(run, progress);
   const std::size_t number = number_of(sites, id);
-  const RoofSetup setup(run.store(), sites, run.options().settings, run.inputs().crs, run.context());
+  const RoofSetup setup(run.store(), sites, run.options().settings, run.inputs().crs, run.context(),
+                        run.inputs().edits);
   RoofLabels labels(run.store());
   BuildingReplay building;
   building.planned = sites[number];

@@ -79,7 +79,8 @@ std::optional<Area> area_of(const json& area) {
 
 std::string what_to_give(const std::string& names) {
   std::string options;
-  for (const auto& [name, option] : {std::pair{"stations", "--stations"}, std::pair{"area", "--within"}})
+  for (const auto& [name, option] :
+       {std::pair{"stations", "--stations"}, std::pair{"edits", "--edits"}, std::pair{"area", "--within"}})
     if (names.find(name) != std::string::npos) options += (options.empty() ? "" : " and ") + std::string(option);
   return options.empty() ? "" : " (give " + options + " as the run was given it)";
 }
@@ -112,6 +113,7 @@ RunOptions kept_options(const KeptRunPlaces& places) {
   options.output = places.out;
   options.store = store_of(places);
   options.stations = places.stations;
+  options.edits = places.edits;
   options.settings = settings_of(record["parameters"]);
   options.products = request.value("products", std::vector<std::string>{});
   for (const json& input : request.value("inputs", json::array())) options.inputs.push_back(file_of(input));

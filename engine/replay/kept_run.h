@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/pass/index.h"
 #include "engine/products/streets/make_streets.h"
@@ -15,10 +16,11 @@ namespace ilot {
 
 struct KeptRunPlaces {
   std::filesystem::path out;
-  std::filesystem::path store;     // empty = out/.store
-  std::filesystem::path stations;  // stations that the run was given, if any: run.json does not name the file
-  std::optional<Area> within;      // polygons that the run was given, if any: run.json has only their box
-  TrainObjectModel learn;          // the training method of the run, for places of objects
+  std::filesystem::path store;               // empty = out/.store
+  std::filesystem::path stations;            // stations that the run was given, if any: run.json does not name the file
+  std::vector<std::filesystem::path> edits;  // likewise
+  std::optional<Area> within;                // polygons that the run was given, if any: run.json has only their box
+  TrainObjectModel learn;                    // the training method of the run, for places of objects
 };
 
 // A folder that looks like a store: every file in it is a link to a file of the kept store. The output of a pass

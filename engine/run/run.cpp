@@ -16,6 +16,7 @@
 #include "engine/products/planes/cells/cells.h"
 #include "engine/products/planes/join/extend_pass.h"
 #include "engine/products/planes/make_planes.h"
+#include "engine/products/roofs/edits/class_edits.h"
 #include "engine/products/roofs/footprint_plan.h"
 #include "engine/products/streets/make_streets.h"
 #include "engine/report/counted.h"
@@ -143,6 +144,7 @@ void check_edits(const RunOptions& options, const RunInputs& inputs, Progress& p
   if (options.edits.empty()) return;
   record.edits = EditsRecord{inputs.edits.size(), 0, 0, 0, 0, 0};
   check_facade_edits(inputs.edits, inputs.crs.metres_per_unit);
+  check_class_edits(inputs.edits);
   for (const Edit& edit : inputs.edits) record.edits->not_asked += !makes(options, edit.product.c_str());
   if (record.edits->not_asked == 0) return;
   record.warnings.push_back(counted(record.edits->not_asked, "edit") +

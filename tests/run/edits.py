@@ -4,7 +4,9 @@
 import csv
 import io
 import json
+import pathlib
 import shutil
+import tempfile
 
 from support import RunTest, ilot, main
 
@@ -13,14 +15,21 @@ def files_of(out):
     return {p.relative_to(out): p.read_bytes() for p in sorted(out.rglob("*")) if p.is_file() and p.name != "run.json"}
 
 
-class Facades(RunTest):
-    def setUp(self):
-        super().setUp()
-        path, self.asked = self.facade(150000)
-        self.cloud = path
-        self.out, _ = self.work(path, *self.asked)
-        self.plan = json.loads((self.out / "facades/facade-001.json").read_text())
-        self.windows = [e for e in self.plan["elements"] if e["kind"] == "window" and len(e["ring"]) == 4]
+class EditsTest(RunTest):
+    @classmethod
+    def tearDownClass(cls):
+        cls.kept.cleanup()
+        del cls.kept, cls.base
+
+    def once(self, make):
+        """What all tests of a class read: made by the first of them, in a folder that they share."""
+        cls = type(self)
+        if not hasattr(cls, "base"):
+            own, cls.kept = self.folder, tempfile.TemporaryDirectory(prefix="ilot-edits-")
+            self.folder = pathlib.Path(cls.kept.name)
+            cls.base = make()
+            self.folder = own
+        return cls.base
 
     def table(self, name, *rows):
         columns = sorted({key for row in rows for key in row})
@@ -31,6 +40,18 @@ class Facades(RunTest):
         path = self.folder / name
         path.write_text(text.getvalue())
         return path
+
+
+class Facades(EditsTest):
+    def setUp(self):
+        super().setUp()
+        self.cloud, self.asked, self.out = self.once(self.base_run)
+        self.plan = json.loads((self.out / "facades/facade-001.json").read_text())
+        self.windows = [e for e in self.plan["elements"] if e["kind"] == "window" and len(e["ring"]) == 4]
+
+    def base_run(self):
+        path, asked = self.facade(150000)
+        return path, asked, self.work(path, *asked)[0]
 
     def row(self, edit, element, along=0.0, up=0.0, **more):
         """An edit of an element; with along and up, the place to which it is moved, in metres."""
@@ -154,5 +175,131 @@ class Facades(RunTest):
         self.assertIn("edits", done.stderr)
 
 
+class Roofs(EditsTest):
+    def setUp(self):
+        super().setUp()
+        self.cloud, out = self.once(self.base_run)
+        self.buildings = self.buildings_of(out)
+
+    def base_run(self):
+        cloud = self.district(60000)
+        return cloud, self.work(cloud, "--products", "roofs")[0]
+
+    @staticmethod
+    def buildings_of(out):
+        """The attributes of each building, and its LoD2.2 as rings of places by face."""
+        lines = [json.loads(line) for line in (out / "roofs/roofs.city.jsonl").read_text().splitlines()]
+        scale, shift = lines[0]["transform"]["scale"], lines[0]["transform"]["translate"]
+        buildings = {}
+        for feature in lines[1:]:
+            places = [[p * s + t for p, s, t in zip(v, scale, shift)] for v in feature["vertices"]]
+            faces, solid = {}, None
+            for part in feature["CityObjects"].values():
+                for geometry in part.get("geometry", []):
+                    if geometry["lod"] == "2.2":
+                        solid = geometry
+            if solid is not None:
+                semantics = solid["semantics"]
+                for surface, kind in zip(solid["boundaries"][0], semantics["values"][0]):
+                    face = semantics["surfaces"][kind]
+                    if face["type"] == "RoofSurface":
+                        faces.setdefault(face["plane_id"], []).append([places[i] for i in surface[0]])
+            attributes = feature["CityObjects"][feature["id"]]["attributes"]
+            buildings[feature["id"]] = {"attributes": attributes, "faces": list(faces.values()), "places": places}
+        return buildings
+
+    @staticmethod
+    def middle(face):
+        ring = face[0]
+        return [sum(p[k] for p in ring) / len(ring) for k in range(3)]
+
+    def gable(self):
+        """The id of a building of two faces of four corners, and a place on each face."""
+        for name, building in self.buildings.items():
+            faces = building["faces"]
+            if len(faces) == 2 and all(len(f) == 1 and len(f[0]) == 4 for f in faces):
+                return name, [self.middle(f) for f in faces]
+        self.fail("the district has no gable")
+
+    def merge(self, a, b):
+        return {"product": "roofs", "edit": "merged", "x1": a[0], "y1": a[1], "x2": b[0], "y2": b[1]}
+
+    def area(self, name, by=0.6):
+        """A rectangle around a building, as WKT."""
+        places = self.buildings[name]["places"]
+        x0, x1 = min(p[0] for p in places) - by, max(p[0] for p in places) + by
+        y0, y1 = min(p[1] for p in places) - by, max(p[1] for p in places) + by
+        return f"POLYGON (({x0} {y0}, {x1} {y0}, {x1} {y1}, {x0} {y1}, {x0} {y0}))"
+
+    def same_but_for(self, buildings, changed):
+        for name, building in self.buildings.items():
+            if name in changed:
+                continue
+            before, after = ({k: v for k, v in b["attributes"].items() if k != "unit_id"} for b in (building, buildings[name]))
+            self.assertEqual(before, after)
+            self.assertEqual(building["places"], buildings[name]["places"])
+
+    def test_faces_are_merged_and_all_else_is_the_same(self):
+        name, (a, b) = self.gable()
+        edits = self.table("edits.csv", self.merge(a, b), self.merge(b, a))
+        out, run = self.work(self.cloud, "--products", "roofs", "--edits", edits)
+        self.assertEqual(run["edits"], {"given": 2, "made": 1, "repeated": 1, "without_partner": 0, "outside": 0,
+                                        "not_asked": 0})
+        buildings = self.buildings_of(out)
+        self.assertEqual(len(buildings[name]["faces"]), 1)
+        self.assertEqual(buildings[name]["attributes"]["by_hand"], "1 merge of faces")
+        self.assertEqual(buildings.keys(), self.buildings.keys())
+        self.same_but_for(buildings, [name])
+        again, _ = self.work(self.cloud, "--products", "roofs", "--edits", edits, "--threads", "1", "--memory", "128M")
+        self.assertEqual(files_of(again), files_of(out))
+        self.assertEqual(ilot("validate", out / "roofs/roofs.city.jsonl").returncode, 0)
+
+    def test_classes_take_a_building_out_and_give_another_class_back(self):
+        name, _ = self.gable()
+        other = {"product": "roofs", "edit": "kind", "to_kind": "other", "WKT": self.area(name)}
+        out, run = self.work(self.cloud, "--products", "roofs", "--edits", self.table("other.csv", other))
+        self.assertEqual(run["edits"]["made"], 1)
+        buildings = self.buildings_of(out)
+        self.assertNotIn(name, buildings)
+        self.same_but_for(buildings, [name])
+        # A later line gives the points above the floor their class again.
+        floor = self.buildings[name]["attributes"]["h_ground"] + 0.5
+        back = {**other, "to_kind": "building", "z1": floor}
+        both = self.table("both.csv", other, back)
+        out, run = self.work(self.cloud, "--products", "roofs", "--edits", both)
+        self.assertEqual(run["edits"]["made"], 2)
+        buildings = self.buildings_of(out)
+        self.assertEqual(len(buildings[name]["faces"]), 2)
+        self.assertIn("classes of", buildings[name]["attributes"]["by_hand"])
+
+    def test_what_finds_no_partner_is_told(self):
+        name, (a, b) = self.gable()
+        far = [a[0] + 5000, a[1], a[2]]
+        nothing = {"product": "roofs", "edit": "kind", "to_kind": "ground",
+                   "area": "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"}
+        edits = self.table("edits.csv", self.merge(a, far), nothing, self.merge(a, b))
+        _, run = self.work(self.cloud, "--products", "roofs", "--edits", edits, code=3)
+        self.assertEqual((run["edits"]["made"], run["edits"]["without_partner"]), (1, 2))
+        self.assertEqual(sorted(s["where"] for s in run["skipped"]), [f"{edits}:2", f"{edits}:3"])
+
+    def test_contradictions_end_before_anything_is_made(self):
+        name, _ = self.gable()
+        row = {"product": "roofs", "edit": "kind", "area": self.area(name)}
+        edits = self.table("edits.csv", {**row, "to_kind": "ground"}, {**row, "to_kind": "other"})
+        out = self.folder / "refused"
+        done = ilot("run", self.cloud, "-o", out, "--products", "roofs", "--edits", edits, "-q")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(f"{edits}:3: contradicts {edits}:2", done.stderr)
+        self.assertFalse(out.exists())
+
+
+class Storeys(RunTest):
+    def test_facades_give_buildings_their_storeys(self):
+        cloud = self.scan("building", 200000, self.folder / "building.laz", storeys=4)
+        out, _ = self.work(cloud, "--products", "roofs,facades")
+        buildings = [b["attributes"] for b in Roofs.buildings_of(out).values()]
+        self.assertEqual(max(buildings, key=lambda b: b["points"])["storeys"], 4)
+
+
 if __name__ == "__main__":
-    main(synthetic=[Facades])
+    main(synthetic=[Facades, Roofs, Storeys])

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "engine/products/roofs/sites/roof_site.h"
+#include "engine/validity/validity.h"
 #include "kernels/core/rng.h"
 
 namespace ilot::test {
@@ -28,6 +29,11 @@ inline RoofSite roof_site(double width, double depth, const std::function<double
     site.points.push_back({x, y, height(x, y) + noise * 3.4641 * (rng.uniform() - 0.5)});
   }
   return site;
+}
+
+// Whether val3dity's checks find no fault in the solid.
+inline bool valid(const Building& b) {
+  return validate_building(b, b.vertices.front(), 0.0001).empty();
 }
 
 }  // namespace ilot::test

@@ -19,6 +19,7 @@ namespace {
 
 struct ReplayArguments {
   std::string out, unit, folder, store, stations, within;
+  std::vector<std::string> edits;
   int threads = 0, size = 1200;
   bool list = false, all = false, quiet = false;
 };
@@ -55,7 +56,7 @@ int replay_command(const ReplayArguments& given) {
   if (given.unit.empty() != given.list)
     throw Error("replay: give a UNIT or --list (ilot replay --help)", ExitCode::usage);
   ConsoleProgress progress(given.quiet ? Verbosity::quiet : Verbosity::normal, "");
-  KeptRunPlaces places{given.out, given.store, given.stations, {}, {}};
+  KeptRunPlaces places{given.out, given.store, given.stations, {given.edits.begin(), given.edits.end()}, {}, {}};
   if (!given.within.empty()) places.within = read_area(given.within);
   places.learn = [](std::span<const TrainingSample> samples) { return train_object_model(samples); };
   return given.list ? list_units(places, given.all) : replay_unit(given, places, progress.get());
@@ -78,6 +79,8 @@ void add_replay_command(CLI::App& app, Action& action) {
   command->add_option("--store", given->store, "the kept store, where the run had --store [OUT/.store]")
       ->option_text("DIR");
   command->add_option("--stations", given->stations, "as the run was given it [as inputs say]")->option_text("FILE");
+  command->add_option("--edits", given->edits, "as the run was given it, once for each table [none]")
+      ->option_text("FILE");
   command->add_option("--within", given->within, "as the run was given it [everything]")->option_text("FILE");
   command->add_option("--size", given->size, "pixels of the longer side of pictures [1200]")
       ->option_text("N")

@@ -22,6 +22,8 @@ constexpr BuildingField kBuildingFields[] = {
      "ground "
      "was measured those 1 m above it",
      nullptr},
+    {"by_hand", kText, "", "what a person has corrected: classes of points that count for the building, faces merged",
+     nullptr},
     {"h_ground", kReal, "CRS", "height of the floor", "rf_h_ground"},
     {"ground_source", kText, "",
      "`measured`: a tenth of the ground points (`classes.ground`) within 4 m around the outline lie below it; "
@@ -41,6 +43,8 @@ constexpr BuildingField kBuildingFields[] = {
      "area of the walls of the highest level of detail that stand against another building: see `roofs.md`", nullptr},
     {"exterior_wall_m2", kReal, "m2", "area of all its other walls, those between two heights of its roof too",
      nullptr},
+    {"storeys", kWhole, "",
+     "rows of openings, one above another, that the facades of the run show in its walls: see `roofs.md`", nullptr},
     {"roof_faces", kWhole, "", "of LoD 2.2", "rf_roof_planes"},
     {"roof_type", kText, "",
      "`horizontal`, `multiple horizontal`, `slanted` (some face leans more than 5 degrees), `unknown` (no face), `no "

@@ -9,6 +9,9 @@
 namespace ilot {
 namespace {
 
+// Derived: z1 and z2 among kEditColumns.
+constexpr std::size_t kLowColumn = 5, kHighColumn = 8;
+
 std::string quoted_field(const std::string& given) {
   const std::string text = clean_text(given);
   if (text.find_first_of(",;\"") == std::string::npos) return text;
@@ -45,6 +48,8 @@ std::string edits_csv(std::span<const Edit> edits) {
     std::vector<std::string> fields{edit.product, kEditActionNames.at(static_cast<std::size_t>(edit.action)),
                                     edit.kind};
     add_places(edit.at, fields);
+    if (edit.low) fields[kLowColumn] = decimal(*edit.low, 4);
+    if (edit.high) fields[kHighColumn] = decimal(*edit.high, 4);
     fields.push_back(edit.to_kind);
     add_places(edit.to, fields);
     fields.push_back(area_text(edit.area));

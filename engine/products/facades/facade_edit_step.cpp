@@ -65,9 +65,7 @@ void FacadeEditStep::edit(std::span<FoundFacade> found) {
   const std::vector<EditResult> results = edit_facades(edits_, facades, params_);
   for (std::size_t i = 0; i < edits_.size(); ++i) {
     if (edits_[i]->action == EditAction::side) continue;
-    if (results[i].outcome == EditOutcome::made) tally_.made();
-    if (results[i].outcome == EditOutcome::repeated) tally_.repeated();
-    if (results[i].outcome == EditOutcome::without_partner) tally_.without_partner(*edits_[i], results[i].reason);
+    tally_.add(*edits_[i], results[i]);
   }
   for (std::size_t i = 0; i < found.size(); ++i)
     found[i].occluded_edges = found[i].occluded_edges + unseen_sides_of(found[i].facade) - unseen[i];

@@ -15,14 +15,6 @@
 
 namespace ilot {
 
-// What became of one edit.
-enum class EditOutcome : std::uint8_t { made, repeated, without_partner };
-
-struct EditResult {
-  EditOutcome outcome = EditOutcome::made;
-  std::string reason;  // why it has no partner
-};
-
 // The tolerances with which an edit finds its partner.
 struct FacadeEditParams {
   // Choice: the limit of homologous vertices of corrected drawings [Marchand 2018, II.5.3]; parts of a wall that lie

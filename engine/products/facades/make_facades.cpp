@@ -273,6 +273,17 @@ void find_each(const FacadeSearch& search, std::span<const std::vector<WallGroup
   });
 }
 
+// The openings of a facade that have a place in plan: walls that lean far have none.
+void add_openings(const Facade& facade, std::vector<FacadeOpening>& openings) {
+  const double level = std::sqrt(facade.out.x * facade.out.x + facade.out.y * facade.out.y);
+  for (const FacadeElement& e : facade.elements) {
+    if (!e.opening || e.ring.empty() || !(level > 0)) continue;
+    Vec3 middle;
+    for (const Vec3& p : e.ring) middle = middle + (1.0 / static_cast<double>(e.ring.size())) * p;
+    openings.push_back({middle, facade.out.x / level, facade.out.y / level});
+  }
+}
+
 }  // namespace
 
 FacadesOfRun::FacadesOfRun(const Store& store, const PlanesResult& planes, const RunInputs& inputs,
@@ -329,23 +340,24 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   return run;
 }
 
-void make_facades(const Store& store, const PlanesResult& planes, const Settings& settings, const RunInputs& inputs,
-                  const PassContext& context, const std::filesystem::path& folder, Progress& progress,
-                  RunRecord& record) {
+std::vector<FacadeOpening> make_facades(const Store& store, const PlanesResult& planes, const Settings& settings,
+                                        const RunInputs& inputs, const PassContext& context,
+                                        const std::filesystem::path& folder, Progress& progress, RunRecord& record) {
   std::filesystem::create_directories(folder);
   const auto run = find_facades(store, planes, settings, inputs, context, progress, record);
   FacadeCounts counts;
+  std::vector<FacadeOpening> openings;
   for (const FoundFacade& f : run->found) {
     ++counts.facades;
     counts.elements += f.facade.elements.size();
     counts.occluded_edges += f.occluded_edges;
+    add_openings(f.facade, openings);
   }
   write_facade_labels(run->work, run->walls, run->found, context);
-  if (!run->found.empty()) {
-    write_facade_drawings(*run, settings, inputs, context, folder, progress);
-  }
+  if (!run->found.empty()) write_facade_drawings(*run, settings, inputs, context, folder, progress);
   record.facades = counts;
   progress.end_stage();
+  return openings;
 }
 
 }  // namespace ilot

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/columns/run_inputs.h"
+#include "engine/model/facade_opening.h"
 #include "engine/pass/context.h"
 #include "engine/products/facades/elements/facade_model.h"
 #include "engine/products/facades/facade_gathering.h"
@@ -46,9 +47,9 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
 
 // Calls find_facades and writes the column "facade". Writes the files of facade_files.h into the folder, and a page
 // that shows them, facades.html. The planes must have their areas (make_boundaries). Facades whose middle is not wanted
-// are left out.
-void make_facades(const Store& store, const PlanesResult& planes, const Settings& settings, const RunInputs& inputs,
-                  const PassContext& context, const std::filesystem::path& folder, Progress& progress,
-                  RunRecord& record);
+// are left out. Returns the openings of all facades.
+std::vector<FacadeOpening> make_facades(const Store& store, const PlanesResult& planes, const Settings& settings,
+                                        const RunInputs& inputs, const PassContext& context,
+                                        const std::filesystem::path& folder, Progress& progress, RunRecord& record);
 
 }  // namespace ilot

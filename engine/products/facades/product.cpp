@@ -25,8 +25,8 @@ std::string summary(const RunRecord& record) {
 }
 
 void make(ProductRun& run) {
-  make_facades(run.store, *run.planes, run.settings, run.inputs, run.context, run.folder / "facades", run.progress,
-               run.record);
+  run.openings = make_facades(run.store, *run.planes, run.settings, run.inputs, run.context, run.folder / "facades",
+                              run.progress, run.record);
   if (run.record.facades->facades == 0) skip_product(run, facades_product(), kNoFacade);
 }
 

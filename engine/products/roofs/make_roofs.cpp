@@ -5,18 +5,19 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 
 #include "engine/error.h"
 #include "engine/pass/pass.h"
+#include "engine/products/product_edits.h"
 #include "engine/products/roofs/footprint_plan.h"
 #include "engine/products/roofs/roof_sink.h"
+#include "engine/products/roofs/solids/storeys.h"
 #include "kernels/core/parallel.h"
 
 namespace ilot {
 namespace {
 
-// Derived: the grid of outlines is 1 mm.
-constexpr double kGridMetres = 0.001;
 constexpr std::size_t kFewestTogether = 64, kMostTogether = 512;  // sites between two deliveries
 constexpr std::uint64_t kBytesOfResult = 40u << 10;               // of a site: its model and the points to show
 
@@ -214,18 +215,50 @@ ShiftCounts model_buildings(const RoofSetup& setup, std::span<const std::size_t>
   return shifts;
 }
 
-void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Settings& settings, const Crs& crs,
-                const PassContext& context, const ProductOutput& out) {
-  const RoofSetup setup(store, sites, settings, crs, context);
+namespace {
+
+// Tells what became of the edits that merge faces, in their order. Those of sites that were not modelled are outside of
+// the part of the cloud that is asked for.
+void tally_merges(const RoofSetup& setup, std::vector<std::vector<EditResult>>& by_site, EditTally tally) {
+  std::map<std::size_t, std::size_t> told;  // edits of each site
+  for (const PlannedMerge& merge : setup.merges) {
+    if (!merge.site) {
+      tally.without_partner(*merge.edit, merge.reason);
+      continue;
+    }
+    const std::vector<EditResult>& results = by_site[*merge.site];
+    const std::size_t number = told[*merge.site]++;
+    if (number >= results.size())
+      tally.outside();
+    else
+      tally.add(*merge.edit, results[number]);
+  }
+}
+
+}  // namespace
+
+void make_roofs(const Store& store, std::span<const PlannedSite> sites, std::span<const FacadeOpening> openings,
+                const Settings& settings, const RunInputs& inputs, const PassContext& context,
+                const ProductOutput& out) {
+  const Crs& crs = inputs.crs;
+  const RoofSetup setup(store, sites, settings, crs, context, inputs.edits);
   const std::vector<std::size_t> wanted = wanted_sites(sites, store, context);
   const bool given = out.record.footprints.has_value();
   if (given) out.record.footprints->overlaps = overlaps_of(sites, setup.map);
   std::filesystem::create_directories(out.folder);
   RoofLabels labels(store);
   RoofSink sink(out.folder, setup.file, crs, &labels, out.record);
+  const StoreyCounter counter(openings, context.metres_per_unit);
+  std::vector<std::vector<EditResult>> merges(setup.merges.empty() ? 0 : sites.size());
   const ShiftCounts shifts =
       model_buildings(setup, wanted, given ? sample_of_sites(wanted.size()) : std::vector<std::size_t>{}, context,
-                      out.progress, labels, [&](std::size_t, SiteResult& result) { sink.take(result); });
+                      out.progress, labels, [&](std::size_t place, SiteResult& result) {
+                        if (!merges.empty()) merges[wanted[place]] = result.merges;
+                        if (const auto storeys = counter.storeys(sites[wanted[place]].outline))
+                          result.levels[0].attributes.emplace_back("storeys", *storeys);
+                        sink.take(result);
+                      });
+  tally_merges(setup, merges, {out.progress, out.record});
   if (given) record_misalignment(shifts, out.progress, out.record);
   sink.finish();
   labels.write_columns(context, [&](std::uint32_t block) { return labels_of_others(setup.work, context, block); });

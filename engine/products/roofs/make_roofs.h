@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/cloud/cloud_info.h"
+#include "engine/columns/run_inputs.h"
+#include "engine/model/facade_opening.h"
 #include "engine/pass/context.h"
 #include "engine/products/product_output.h"
 #include "engine/products/roofs/roof_setup.h"
@@ -37,8 +38,10 @@ std::vector<OverlapRecord> overlaps_of(std::span<const PlannedSite> sites, const
 // models it, and writes roofs.city.jsonl into the folder (and .json when it is not too large) in the order of the
 // sites, and the column "roof" (RoofLabel) of every block. Sites are processed in parallel, in batches of some hundred
 // with the largest first. Each result depends only on the site's own points and its neighbours' outlines. With
-// `context.wanted`, only sites whose first vertex is wanted are processed. Adds the stage "roofs" and the counts.
-void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Settings& settings, const Crs& crs,
-                const PassContext& context, const ProductOutput& out);
+// `context.wanted`, only sites whose first vertex is wanted are processed. Adds the stage "roofs" and the counts, those
+// of edits that merge faces too. `openings` are those of the facades of the run, by which storeys are counted.
+void make_roofs(const Store& store, std::span<const PlannedSite> sites, std::span<const FacadeOpening> openings,
+                const Settings& settings, const RunInputs& inputs, const PassContext& context,
+                const ProductOutput& out);
 
 }  // namespace ilot

@@ -7,7 +7,9 @@
 #include <functional>
 
 #include "engine/columns/point_roles.h"
+#include "engine/products/product_edits.h"
 #include "engine/products/roofs/cluster_plan.h"
+#include "engine/products/roofs/edits/class_edits.h"
 #include "engine/products/roofs/footprint_outcome.h"
 #include "engine/products/roofs/make_roofs.h"
 #include "engine/products/roofs/roof_labels.h"
@@ -41,8 +43,25 @@ std::string summary(const RunRecord& record) {
   return record.roofs ? counted(record.roofs->buildings, "building") : "";
 }
 
+// Sets the classes that a person gave to points, after all others are known.
+void edit_classes(ProductRun& run) {
+  const ClassEdits edits(run.inputs.edits, run.store.unit());
+  if (edits.size() == 0) return;
+  const std::vector<std::uint64_t> points = edit_roles(run.store, edits, run.context);
+  EditTally tally(run.progress, run.record);
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    if (points[i] > 0)
+      tally.made();
+    else if (run.context.wanted)
+      tally.outside();
+    else
+      tally.without_partner(edits[i], "no point of the cloud lies in the area of this edit");
+  }
+}
+
 void make_roles(ProductRun& run) {
   const std::optional<RoleCounts> counted = make_roof_roles(run.store, run.settings, run.context, run.progress);
+  edit_classes(run);
   if (!counted) return;
   const RoleCounts& found = *counted;
   run.record.chosen.push_back(
@@ -85,7 +104,7 @@ void make(ProductRun& run) {
   std::vector<PlannedSite> clusters;
   if (!given) clusters = plan_clusters(run.store, run.settings.roofs, run.context, run.progress, run.record);
   const std::vector<PlannedSite>& sites = given ? *run.footprints : clusters;
-  make_roofs(run.store, sites, run.settings, run.inputs.crs, run.context,
+  make_roofs(run.store, sites, run.openings, run.settings, run.inputs, run.context,
              {run.folder / "roofs", run.progress, run.record});
   if (run.settings.roofs.dtm) make_terrain(run);
   if (given)

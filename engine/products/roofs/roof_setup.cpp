@@ -113,12 +113,16 @@ RoofFilesParams roof_files_params(const RoofFrame& frame, const Settings& settin
 }
 
 RoofSetup::RoofSetup(const Store& store, std::span<const PlannedSite> sites, const Settings& settings, const Crs& crs,
-                     const PassContext& context)
+                     const PassContext& context, std::span<const Edit> edits)
     : map(map_of(sites)),
+      class_edits(edits, store.unit()),
+      merges(plan_merges(edits, sites, map, context.metres_per_unit)),
       work{store, sites, map, {}, context.metres_per_unit},
       model(model_params(settings.roofs)),
       file(roof_files_params(frame_of(store, sites, context), settings, crs)) {
   work.params.margin = settings.roofs.margin;
+  work.class_edits = &class_edits;
+  work.merges = merges;
 }
 
 }  // namespace ilot

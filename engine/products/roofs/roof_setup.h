@@ -8,6 +8,8 @@
 #include "engine/cloud/cloud_info.h"
 #include "engine/deliverables/solids/roof_files.h"
 #include "engine/pass/context.h"
+#include "engine/products/roofs/edits/class_edits.h"
+#include "engine/products/roofs/edits/face_merges.h"
 #include "engine/products/roofs/site_modeller.h"
 #include "engine/settings/settings.h"
 
@@ -23,14 +25,17 @@ struct RoofFrame {
 // Returns the parameters of the files for a frame.
 RoofFilesParams roof_files_params(const RoofFrame& frame, const Settings& settings, const Crs& crs);
 
-// The setup refers to the store and the sites, which must outlive it.
+// The setup refers to the store, the sites and the edits, which must outlive it. The edits of classes have been made on
+// the store.
 struct RoofSetup {
   RoofSetup(const Store& store, std::span<const PlannedSite> sites, const Settings& settings, const Crs& crs,
-            const PassContext& context);
+            const PassContext& context, std::span<const Edit> edits = {});
   RoofSetup(const RoofSetup&) = delete;
   RoofSetup& operator=(const RoofSetup&) = delete;
 
   OutlineMap map;
+  ClassEdits class_edits;
+  std::vector<PlannedMerge> merges;
   SiteWork work;
   RoofModelParams model;
   RoofFilesParams file;

@@ -10,8 +10,6 @@
 namespace ilot {
 namespace {
 
-// Derived: the grid of outlines is 1 mm.
-constexpr double kGridMetres = 0.001;
 // Choice: the width of a street, of a block and of a large hall with its yard.
 constexpr std::array kGroundRings{10.0, 25.0, 50.0};  // metres around an outline in which ground is searched
 constexpr std::uint64_t kFewestGroundPoints = 10;
@@ -89,11 +87,18 @@ std::uint64_t points_to_read(const SiteWork& work, std::size_t site) {
 
 SiteReader::SiteReader(const SiteWork& work, std::size_t site)
     : work_(work),
+      number_(site),
       planned_(work.sites[site]),
       box_(column_of_site(work, planned_)),
       x_(planned_.outline.x, lattice_step(work)),
       y_(planned_.outline.y, lattice_step(work)),
-      filter_(planned_.outline.polygon, work.params) {}
+      filter_(planned_.outline.polygon, work.params) {
+  if (work.class_edits != nullptr) class_edits_ = work.class_edits->near(box_);
+}
+
+bool SiteReader::by_hand(Index3 position) const {
+  return std::ranges::any_of(class_edits_, [&](std::size_t i) { return work_.class_edits->contains(i, position); });
+}
 
 // Collects the building's points. Their class is known only after the last point around them is read. So points of both
 // possible classes are collected as long as there are not too many.
@@ -103,6 +108,7 @@ UnitSample SiteReader::sample(GatheredSite& gathered) {
   for_each_around([&](const AroundPoint& p, Index3 position) {
     ++gathered.points_around;
     measure.add(p.at, p.role, p.membership);
+    gathered.by_hand += p.membership != PointMembership::none && by_hand(position);
     if (!may_be_of_building(p.membership)) return;
     if (p.role == PointRole::building) building.add({p.place, position});
     if (p.role == PointRole::unclassified) unclassified.add({p.place, position});
@@ -151,6 +157,7 @@ GatheredSite SiteReader::gather() {
   site.id = planned_.id;
   site.outline = planned_.outline.polygon;
   site.ground_source = rule_.ground_source;
+  site.merges = merges_of(work_.merges, number_);
   const double lowest = chosen.points.empty() ? rule_.ground : std::min(rule_.ground, metres(chosen.corner).z);
   anchor_z_ = std::floor(lowest);
   site.anchor = {static_cast<double>(planned_.outline.x) * kGridMetres / work_.metres_per_unit,

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/products/roofs/edits/class_edits.h"
+#include "engine/products/roofs/edits/face_merges.h"
 #include "engine/products/roofs/sites/misalignment.h"
 #include "engine/products/roofs/sites/outline_map.h"
 #include "engine/products/roofs/sites/site_plan.h"
@@ -31,6 +33,8 @@ struct SiteWork {
   SitePointsParams params;
   double metres_per_unit = 1;
   std::size_t most_points = kMostSitePoints;
+  const ClassEdits* class_edits = nullptr;    // those that were made on the column "role"
+  std::span<const PlannedMerge> merges = {};  // of faces, by hand
 };
 
 struct GatheredSite {
@@ -41,6 +45,7 @@ struct GatheredSite {
   bool thinned = false;             // the site has a sample
   std::uint64_t points = 0;         // of the building and beside it
   std::uint64_t points_around = 0;  // points of any class over the outline and within reach of it
+  std::uint64_t by_hand = 0;        // those of them whose class a person has set and that count for the building
 };
 
 // A point around a site, as SiteMeasure and SiteRule use it.
@@ -120,15 +125,18 @@ class SiteReader {
     });
   }
   UnitSample sample(GatheredSite& gathered);
+  bool by_hand(Index3 position) const;
   void find_nearby_ground();
 
   const SiteWork& work_;
+  std::size_t number_;
   const PlannedSite& planned_;
   IndexBox box_;
   Axis x_, y_;
   SiteFilter filter_;
   SiteRule rule_;
   double anchor_z_ = 0;
+  std::vector<std::size_t> class_edits_;  // near the site
 };
 
 // Counts, for a raster of shifts of the outlines, the points of buildings around the site that lie inside.

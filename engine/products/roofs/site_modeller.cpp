@@ -7,6 +7,7 @@
 #include "engine/model/building_geometry.h"
 #include "engine/products/roofs/solids/point_labels.h"
 #include "engine/products/roofs/solids/wall_areas.h"
+#include "engine/report/counted.h"
 #include "engine/validity/validity.h"
 
 namespace ilot {
@@ -57,6 +58,16 @@ std::string why_empty(const GatheredSite& gathered) {
   return "none of the points in its outline is a building's";
 }
 
+// What a person has corrected; empty where nothing was.
+std::string edits_text(const GatheredSite& gathered, const RoofModel& model) {
+  const auto merged =
+      static_cast<std::uint64_t>(std::ranges::count(model.merges, EditOutcome::made, &EditResult::outcome));
+  std::string text;
+  if (gathered.by_hand > 0) text = "classes of " + counted(gathered.by_hand, "point");
+  if (merged > 0) text += (text.empty() ? "" : ", ") + counted(merged, "merge") + " of faces";
+  return text;
+}
+
 }  // namespace
 
 SiteResult SiteModeller::model(std::size_t number, SiteSteps* steps) const {
@@ -81,7 +92,8 @@ SiteResult SiteModeller::model(std::size_t number, SiteSteps* steps) const {
   else
     label_sample(reader, gathered, model, measures, result);
   BuildingAttributes attributes = building_attributes(gathered.site, model, work_.metres_per_unit, measures);
-  add_notes(number, gathered, attributes);
+  add_notes(number, gathered, model, attributes);
+  result.merges = std::move(model.merges);
   result.status = model.status;
   result.reason = model.reason;
   result.thinned = gathered.thinned;
@@ -141,9 +153,11 @@ void SiteModeller::label_all(const SiteReader& reader, const RoofSite& site, con
   });
 }
 
-void SiteModeller::add_notes(std::size_t number, const GatheredSite& gathered, BuildingAttributes& attributes) const {
+void SiteModeller::add_notes(std::size_t number, const GatheredSite& gathered, const RoofModel& model,
+                             BuildingAttributes& attributes) const {
   if (!gathered.by_class && !gathered.site.points.empty())
     attributes.emplace_back("points_of", std::string("unclassified"));
+  if (const std::string edits = edits_text(gathered, model); !edits.empty()) attributes.emplace_back("by_hand", edits);
   if (!work_.sites[number].repair.empty()) attributes.emplace_back("outline", work_.sites[number].repair);
   append(work_.sites[number].attributes, attributes);
 }

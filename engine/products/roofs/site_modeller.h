@@ -17,9 +17,10 @@ struct SiteResult {
   std::vector<Building> levels;  // the first has id and attributes
   RoofStatus status = RoofStatus::footprint_only;
   std::string reason;
-  bool thinned = false;          // modelled from a sample of its points
-  std::uint32_t planes = 0;      // plane_id of the levels and labels: 1 to this, or 0
-  std::vector<LabelRun> labels;  // of its points
+  bool thinned = false;            // modelled from a sample of its points
+  std::uint32_t planes = 0;        // plane_id of the levels and labels: 1 to this, or 0
+  std::vector<LabelRun> labels;    // of its points
+  std::vector<EditResult> merges;  // of its faces, by hand
 };
 
 // The intermediate results of a SiteResult, for anyone who looks for the step that went wrong.
@@ -49,7 +50,8 @@ class SiteModeller {
                     PointMeasures& measures, SiteResult& result) const;
   void label_all(const SiteReader& reader, const RoofSite& site, const RoofModel& model, PointMeasures& measures,
                  SiteResult& result) const;
-  void add_notes(std::size_t number, const GatheredSite& gathered, BuildingAttributes& attributes) const;
+  void add_notes(std::size_t number, const GatheredSite& gathered, const RoofModel& model,
+                 BuildingAttributes& attributes) const;
   // Adds volumes and areas of walls behind the area of the outline.
   void add_sizes(std::size_t number, const RoofSite& site, std::span<const Building> levels,
                  BuildingAttributes& attributes) const;

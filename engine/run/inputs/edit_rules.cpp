@@ -17,9 +17,12 @@ constexpr std::array kRules{
     EditRule{"facades", moved, 2, 2, 2, false, false, true, false},
     EditRule{"facades", kind, 2, 2, 0, false, true, true, false},
     EditRule{"facades", side, 2, 2, 0, false, false, true, false},
+    EditRule{"roofs", kind, 0, 0, 0, false, true, false, true},
+    EditRule{"roofs", merged, 2, 2, 0, false, false, false, false},
 };
 
 constexpr std::array<const char*, 4> kOpenings{"window", "door", "shop", "opening"};
+constexpr std::array<const char*, 3> kPointKinds{"building", "ground", "other"};
 
 std::string counted_places(std::size_t least, std::size_t most, const char* prefix) {
   if (most == 0) return fmt::format("no {}x1", prefix);
@@ -34,9 +37,11 @@ bool has_size(const std::vector<Vec3>& corners) {
 }
 
 std::string kind_fault(const Edit& edit, const std::string& kind) {
-  if (kind.empty() || edit.product != "facades") return "";
-  if (std::find(kOpenings.begin(), kOpenings.end(), kind) != kOpenings.end()) return "";
-  return fmt::format("\"{}\" is no kind of an opening: window, door, shop or opening", kind);
+  const auto one_of = [&](const auto& names) { return std::find(names.begin(), names.end(), kind) != names.end(); };
+  if (kind.empty()) return "";
+  if (edit.product == "roofs")
+    return one_of(kPointKinds) ? "" : fmt::format("\"{}\" is no kind of points: building, ground or other", kind);
+  return one_of(kOpenings) ? "" : fmt::format("\"{}\" is no kind of an opening: window, door, shop or opening", kind);
 }
 
 }  // namespace
@@ -70,6 +75,9 @@ std::string edit_fault(const Edit& edit, const EditRule& rule) {
     if (!has_size(edit.at)) return "the corners of an opening are two opposite ones, at different places and heights";
     if (!edit.to.empty() && !has_size(edit.to)) return "the new corners of an opening are two opposite ones";
   }
+  if (edit.low && edit.high && *edit.low > *edit.high) return "z1 is the lowest height and z2 the greatest";
+  if (edit.action == merged && edit.at[0].x == edit.at[1].x && edit.at[0].y == edit.at[1].y)
+    return "the two faces are given by two different places";
   if (edit.action == added)
     if (const std::string fault = kind_fault(edit, edit.kind); !fault.empty()) return fault;
   return kind_fault(edit, edit.to_kind);

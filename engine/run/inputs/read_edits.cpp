@@ -22,7 +22,9 @@ constexpr std::uintmax_t kMostEditBytes = 64u << 20;
   throw Error(where + ": " + what, ExitCode::usage);
 }
 
+// A polygon in a table of QGIS has the column WKT.
 std::size_t column_of(std::string_view name) {
+  if (name == "WKT") name = "area";
   return static_cast<std::size_t>(std::find(kEditColumns.begin(), kEditColumns.end(), name) - kEditColumns.begin());
 }
 
@@ -143,6 +145,10 @@ Edit edit_of(const EditRow& row) {
   edit.at = row.places("", rule->heights);
   edit.to = row.places("to_", rule->heights);
   if (!row.text("area").empty()) edit.area = parse_area(row.text("area"), row.where() + ": area");
+  if (rule->area) {
+    edit.low = row.number("z1");
+    edit.high = row.number("z2");
+  }
   if (const std::string fault = edit_fault(edit, *rule); !fault.empty()) refuse_edit(row.where(), fault);
   return edit;
 }

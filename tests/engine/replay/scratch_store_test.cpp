@@ -38,7 +38,7 @@ TEST(KeptOptions, AFolderWithoutARunOrAStoreIsRefused) {
   const TemporaryFolder folder;
   const auto refused = [&] {
     try {
-      kept_options({folder.path(), {}, {}, {}, {}});
+      kept_options({folder.path(), {}, {}, {}, {}, {}});
     } catch (const Error& fault) {
       EXPECT_EQ(fault.code(), ExitCode::usage);
       return std::string(fault.what());

@@ -60,6 +60,37 @@ TEST(ReadEdits, WhatIsWrittenIsReadAgain) {
   EXPECT_EQ(read[0].note, edit.note);
 }
 
+TEST(ReadEdits, AreasOfPointsAndPlacesOnRoofs) {
+  const auto read = parse_edits(
+      "product,edit,to_kind,WKT,x1,y1,z1,x2,y2,z2\n"
+      "roofs,kind,other,\"POLYGON ((0 0, 4 0, 4 3, 0 0))\",,,6.5,,,\n"
+      "roofs,merged,,,1,2,,3,4,\n",
+      "edits.csv");
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_EQ(read[0].area.max_x, 4);
+  EXPECT_EQ(read[0].low, 6.5);
+  EXPECT_FALSE(read[0].high);
+  ASSERT_EQ(read[1].at.size(), 2u);
+  EXPECT_EQ(read[1].at[1].y, 4);
+  const auto again = parse_edits(edits_csv(read), "edits.csv");
+  EXPECT_EQ(edits_csv(again), edits_csv(read));
+  EXPECT_EQ(again[0].low, 6.5);
+  EXPECT_FALSE(again[0].high);
+}
+
+TEST(ReadEdits, FaultsOfRoofs) {
+  const std::string head = "product,edit,kind,x1,y1,z1,x2,y2,z2,to_kind,area\n";
+  const std::string area = "\"POLYGON ((0 0, 4 0, 4 3, 0 0))\"";
+  EXPECT_EQ(fault_of(head + "roofs,kind,,,,,,,,other,\n").rfind(":2: kind of roofs needs an area", 0), 0u);
+  EXPECT_EQ(fault_of(head + "roofs,kind,,,,,,,,," + area + "\n").rfind(":2: kind of roofs needs a to_kind", 0), 0u);
+  EXPECT_EQ(fault_of(head + "roofs,kind,,,,,,,,tree," + area + "\n"),
+            ":2: \"tree\" is no kind of points: building, ground or other");
+  EXPECT_EQ(fault_of(head + "roofs,kind,,,,9,,,5,other," + area + "\n"),
+            ":2: z1 is the lowest height and z2 the greatest");
+  EXPECT_EQ(fault_of(head + "roofs,merged,,1,2,,,,,,\n").rfind(":2: merged of roofs needs two places", 0), 0u);
+  EXPECT_EQ(fault_of(head + "roofs,merged,,1,2,3,1,2,5,,\n"), ":2: the two faces are given by two different places");
+}
+
 TEST(ReadEdits, FaultsNameTheLineAndWhatToDo) {
   EXPECT_EQ(fault_of("").rfind(": is empty", 0), 0u);
   EXPECT_EQ(fault_of("product,edit,width\n").rfind(":1: \"width\" is no column", 0), 0u);

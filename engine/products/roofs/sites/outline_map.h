@@ -10,6 +10,9 @@
 
 namespace ilot {
 
+// Derived: the grid of outlines is 1 mm.
+constexpr double kGridMetres = 0.001;  // a step of the grid
+
 // A closed box on the millimetre grid of the CRS. A grid coordinate is a coordinate of the CRS in metres, times 1,000,
 // rounded.
 struct GridBox {

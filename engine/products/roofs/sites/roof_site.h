@@ -20,6 +20,12 @@ enum class GroundSource : std::uint8_t {
 // counter-clockwise; the others are holes, clockwise. An edge leads from the last vertex to the first.
 using SitePolygon = std::vector<std::vector<Point2>>;
 
+// A person says that the faces above two places are one. The plane of the first place stays where a
+// plane through the points of both explains fewer of them.
+struct FaceMerge {
+  FlatPoint first, second;  // metres from the site's anchor
+};
+
 struct RoofSite {
   std::string id;  // id of the footprint, or else made from the content; unique within a run
   Vec3 anchor;  // CRS units; origin of the coordinates below. It is on the CRS's own grid of whole millimetres, so that
@@ -29,6 +35,7 @@ struct RoofSite {
   std::vector<Vec3> beside;  // the same for points outside of the outline, within the margin; any roof may be theirs
   double ground = 0;         // metres above the anchor: where the walls end
   GroundSource ground_source = GroundSource::measured;
+  std::vector<FaceMerge> merges = {};  // by hand, in their order
 };
 
 }  // namespace ilot

@@ -21,6 +21,7 @@
 #include "engine/products/roofs/faces/supported_roof.h"
 #include "engine/products/roofs/sites/outline_repair.h"
 #include "engine/products/roofs/solids/bent_faces.h"
+#include "engine/products/roofs/solids/face_joining.h"
 #include "engine/products/roofs/solids/roof_solid.h"
 #include "engine/products/roofs/solids/step_parts.h"
 #include "kernels/core/quantile.h"
@@ -201,9 +202,10 @@ bool beyond_limits(const RoofFaces& roof, const FaceLimits& limits, double detai
 }
 
 // Raises the faces of the roof. If the check refuses the solid, more and more of the small faces are given to their
-// neighbours.
-void add_house(const RoofSite& site, RoofPlanes& planes, const RoofModelParams& params, double metres_per_unit,
-               const SolidCheck& check, RoofModel& model, RoofSteps* steps) {
+// neighbours. Points that a person gave to a face (PlanesWithMerges::given) do not lie on it.
+void add_house(const RoofSite& site, RoofPlanes& planes, std::span<const std::uint32_t> given,
+               const RoofModelParams& params, double metres_per_unit, const SolidCheck& check, RoofModel& model,
+               RoofSteps* steps) {
   const LabelledCells c = cells_within_limits(site, planes, params);
   const FaceLimits limits = limits_of(site, planes, params);
   if (steps != nullptr) {
@@ -221,6 +223,8 @@ void add_house(const RoofSite& site, RoofPlanes& planes, const RoofModelParams& 
   std::string first_fault;
   for (int attempt = 0; attempt < kAttempts; ++attempt, least *= kFewerFaces) {
     RoofFaces roof = roof_faces(site, planes, c.cells, c.of_point, c.label, {least, limits});
+    for (std::size_t i = 0; i < given.size(); ++i)
+      if (given[i] != 0) roof.of_point[i] = 0;
     std::optional<Building> house;
     if (params.detail > 0) {
       RoofFaces drawn = with_few_corners(site, roof, planes.step, params.detail);
@@ -258,6 +262,48 @@ void add_steps(const RoofSite& site, const RoofPlanes& planes, const RoofModelPa
   if (solid) model.lod13 = std::move(*solid);
 }
 
+// The model of a roof whose planes are known. face_of_point is that of the supported roof.
+RoofModel model_of_planes(const RoofSite& site, PlanesWithMerges joined, const RoofModelParams& params,
+                          double metres_per_unit, const SolidCheck& check, RoofSteps* steps) {
+  RoofModel model;
+  if (params.detail > 0) make_regular(site.outline, site.points, joined.planes);
+  RoofPlanes planes = with_given_points(joined, site.points);
+  if (steps != nullptr) {
+    *steps = {};
+    steps->points = site.points;
+    steps->planes = planes;
+  }
+  if (!add_block(site, planes, params, metres_per_unit, check, model)) return model;
+  if (planes.planes.empty()) {
+    model.reason = "no plane has enough points";
+    return model;
+  }
+  add_house(site, planes, joined.given, params, metres_per_unit, check, model, steps);
+  if (model.status == RoofStatus::lod22 && params.lod13_step > 0)
+    add_steps(site, planes, params, metres_per_unit, check, model);
+  return model;
+}
+
+// Joins two faces and models the roof again. Where that leaves two faces, all stays as it was.
+EditResult merge_faces(const FaceMerge& merge, const RoofSite& site, const RoofModelParams& params,
+                       double metres_per_unit, const SolidCheck& check, PlanesWithMerges& joined, RoofModel& model,
+                       RoofSteps* steps) {
+  PlanesWithMerges before = joined;
+  const EditResult result = join_planes_of_faces(model, merge, site.points, joined);
+  if (result.outcome != EditOutcome::made) return result;
+  RoofSteps steps_after;
+  RoofModel after =
+      model_of_planes(site, joined, params, metres_per_unit, check, steps == nullptr ? nullptr : &steps_after);
+  const std::uint32_t face = after.status == RoofStatus::lod22 ? face_above(after.map, merge.first) : kOutside;
+  if (face == kOutside || face_above(after.map, merge.second) != face) {
+    joined = std::move(before);
+    return {EditOutcome::without_partner, "the faces of this edit do not touch, or a third one lies between them"};
+  }
+  model = std::move(after);
+  if (steps != nullptr) *steps = std::move(steps_after);
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> faces_at(const RoofFaceMap& map, std::span<const Vec3> points) {
@@ -279,6 +325,7 @@ RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double
                      const SolidCheck& check, RoofSteps* steps) {
   RoofModel model;
   model.face_of_point.assign(site.points.size() + site.beside.size(), 0);
+  model.merges.assign(site.merges.size(), {EditOutcome::without_partner, "the building has no faces of a roof"});
   if (site.outline.empty() || area_of(site.outline) < kLeastOutline) {
     model.reason = "the outline has no area";
     return model;
@@ -289,20 +336,13 @@ RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double
   }
   if (model.reason = too_sparse(site); !model.reason.empty()) return model;
   SupportedRoof roof = supported_roof(site, params);
-  if (params.detail > 0) make_regular(roof.site.outline, roof.site.points, roof.planes);
-  if (steps != nullptr) {
-    steps->points = roof.site.points;
-    steps->planes = roof.planes;
-  }
-  if (!add_block(roof.site, roof.planes, params, metres_per_unit, check, model)) return model;
-  if (roof.planes.planes.empty()) {
-    model.reason = "no plane has enough points";
-    return model;
-  }
-  add_house(roof.site, roof.planes, params, metres_per_unit, check, model, steps);
-  if (model.status == RoofStatus::lod22 && params.lod13_step > 0)
-    add_steps(roof.site, roof.planes, params, metres_per_unit, check, model);
-  if (model.status == RoofStatus::lod22) model.face_of_point = of_given_points(site, roof, model.face_of_point);
+  PlanesWithMerges joined{std::move(roof.planes), {}};
+  std::vector<EditResult> merges = std::move(model.merges);
+  model = model_of_planes(roof.site, joined, params, metres_per_unit, check, steps);
+  for (std::size_t i = 0; i < merges.size(); ++i)
+    merges[i] = merge_faces(site.merges[i], roof.site, params, metres_per_unit, check, joined, model, steps);
+  model.merges = std::move(merges);
+  model.face_of_point = of_given_points(site, roof, model.face_of_point);
   return model;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/model/building.h"
+#include "engine/model/edit.h"
 #include "engine/products/roofs/faces/partition.h"
 #include "engine/products/roofs/faces/roof_params.h"
 #include "engine/products/roofs/faces/roof_planes.h"
@@ -36,7 +37,8 @@ struct RoofModel {
   Building lod22, lod13, lod12;  // without surfaces where there is no such solid; coordinates are in the CRS
   // Per point of the site, then per point beside it: 0 = none, else its face, a plane_id of lod22.
   std::vector<std::uint32_t> face_of_point;
-  RoofFaceMap map;  // of lod22
+  RoofFaceMap map;                 // of lod22
+  std::vector<EditResult> merges;  // what became of each merge of the site
 };
 
 // The intermediate results of the steps, for anyone who looks for the step that went wrong.
@@ -57,9 +59,10 @@ using SolidCheck = std::function<std::string(const Building&)>;
 // Models a roof. The result depends on the site alone: the same building gets the same vertices wherever and with
 // whatever neighbours it is modelled. If the check refuses a solid, it is built again with fewer faces that share
 // vertices, then with small faces (up to 16 m2) given to their neighbours. If that does not help either, the result is
-// the next lower level of detail. lod13 is made from lod22, and is lod12 where no part of the roof steps. The function
-// never throws because of the data. `metres_per_unit` is that of the CRS. If `steps` is given, it is filled; the model
-// is the same.
+// the next lower level of detail. Each merge of the site takes one more attempt on the planes that it leaves; where its
+// places are on two faces still, the model stays as it was without it. lod13 is made from lod22, and is lod12 where no
+// part of the roof steps. The function never throws because of the data. `metres_per_unit` is that of the CRS. If
+// `steps` is given, it is filled; the model is the same.
 RoofModel model_roof(
     const RoofSite& site, const RoofModelParams& params, double metres_per_unit,
     const SolidCheck& check = [](const Building&) { return std::string(); }, RoofSteps* steps = nullptr);

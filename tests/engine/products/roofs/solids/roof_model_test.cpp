@@ -8,13 +8,13 @@
 
 #include "engine/products/roofs/faces/roof_lines.h"
 #include "engine/products/roofs/faces/roof_planes.h"
-#include "engine/validity/validity.h"
 #include "tests/support/roof_sites.h"
 
 namespace ilot {
 namespace {
 
 using test::roof_site;
+using test::valid;
 
 std::size_t roof_faces(const Building& b) {
   return static_cast<std::size_t>(std::count_if(b.surfaces.begin(), b.surfaces.end(),
@@ -25,10 +25,6 @@ double highest(const Building& b) {
   double z = -1e9;
   for (const Vec3& v : b.vertices) z = std::max(z, v.z);
   return z;
-}
-
-bool valid(const Building& b) {
-  return validate_building(b, b.vertices.front(), 0.0001).empty();
 }
 
 double gable(double, double y) {
