@@ -131,7 +131,7 @@ Json facade_json(const Facade& f) {
 Json object_json(const StreetObject& o) {
   return {{"id", o.id},
           {"label", o.class_name},
-          {"probability", o.probability},
+          {"probability", o.by_hand ? Json(nullptr) : Json(o.probability)},
           {"base", json_of(o.base)},
           {"middle", json_of(o.middle)},
           {"height_m", o.height_m},
@@ -141,7 +141,8 @@ Json object_json(const StreetObject& o) {
           {"area_m2", o.area_m2},
           {"points", o.points},
           {"stretch", o.stretch},
-          {"block", o.block}};
+          {"block", o.block},
+          {"by_hand", o.by_hand}};
 }
 
 Json part_json(const FacadePart& p) {

@@ -217,6 +217,7 @@ ProbabilityEvaluation evaluate_probabilities(const fs::path& file, const std::ma
   std::vector<JudgedProbability> all;
   std::map<std::string, std::vector<JudgedProbability>> by_class;
   for (const StreetObject& object : read_objects_gpkg(file)) {
+    if (object.by_hand) continue;  // states no probability
     const auto known = right.find(object.id);
     all.push_back({object.probability, known != right.end() && known->second});
     by_class[object.class_name].push_back(all.back());

@@ -107,7 +107,7 @@ TileReplay replay_tile(const KeptRun& run, const std::string& id, Progress& prog
   Progress silent;  // the run has given these warnings
   progress.note("the whole street is found again, as its tiles depend on each other");
   make_streets(run.store(), settings, run.training(), run.inputs().crs, run.context(), {folder, silent, record},
-               &replay.steps);
+               run.inputs().edits, &replay.steps);
   replay.steps.see = {};
   compare_files(run.options().output / "streets", folder, replay.differences);
   if (const std::uint64_t changed = changed_labels(run.store(), before); changed > 0)

@@ -20,7 +20,7 @@ struct StreetObject {
   std::uint32_t id = 0;  // from 1
   PointLabel label = PointLabel::other;
   std::string class_name;  // of the label; a class of one's own where the run was trained with one (--train)
-  double probability = 0;  // of that class
+  double probability = 0;  // of that class; 1 where a person decided it
   Vec3 base;               // on the ground
   Vec3 middle;             // of its extent, on the ground
   double height_m = 0, length_m = 0, width_m = 0;
@@ -28,6 +28,7 @@ struct StreetObject {
   double area_m2 = 0;
   std::uint64_t points = 0;
   std::uint32_t stretch = 0, block = 0;  // the nearest; 0 = none
+  bool by_hand = false;                  // a person decided its class or its extent (RunOptions::edits)
 };
 
 // A part of a line of facades: a block, or the gap between two.

@@ -77,7 +77,7 @@ class _Facade(TypedDict):
 class _Object(TypedDict):
     id: int
     label: str
-    probability: float
+    probability: float | None
     base: Place
     middle: Place
     height_m: float
@@ -86,6 +86,7 @@ class _Object(TypedDict):
     heading_deg: float
     area_m2: float
     points: int
+    by_hand: bool
 
 class _Tree(TypedDict):
     id: int

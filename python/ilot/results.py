@@ -118,7 +118,7 @@ class StreetObject:
     # car, van, two_wheeler, pedestrian, lamppost, sign, bollard, bin, bench, planter, fence, cabinet, other, or a class
     # of one's own (train)
     label: str
-    probability: float  # of that class
+    probability: float | None  # of that class; None where a person decided it
     base: Place  # on the ground
     middle: Place  # of its extent, on the ground
     height_m: float
@@ -127,6 +127,7 @@ class StreetObject:
     heading_deg: float  # of the length, from x towards y
     area_m2: float
     points: int
+    by_hand: bool  # a person decided its class or its extent (edits)
 
     @property
     def __geo_interface__(self) -> dict[str, Any]:

@@ -137,7 +137,7 @@ py::dict object_of(const StreetObject& o) {
   py::dict one;
   one["id"] = o.id;
   one["label"] = o.class_name;
-  one["probability"] = o.probability;
+  one["probability"] = o.by_hand ? py::object(py::none()) : py::object(py::float_(o.probability));
   one["base"] = tuple_of(o.base);
   one["middle"] = tuple_of(o.middle);
   one["height_m"] = o.height_m;
@@ -146,6 +146,7 @@ py::dict object_of(const StreetObject& o) {
   one["heading_deg"] = o.heading_deg;
   one["area_m2"] = o.area_m2;
   one["points"] = o.points;
+  one["by_hand"] = o.by_hand;
   return one;
 }
 

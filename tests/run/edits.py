@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Corrections by hand survive the next run: run, correct, run again; the correction stands and all else is the same."""
+import contextlib
 import csv
 import io
 import json
 import pathlib
 import shutil
+import sqlite3
+import struct
 import tempfile
 
 from support import RunTest, ilot, main
@@ -293,6 +296,60 @@ class Roofs(EditsTest):
         self.assertFalse(out.exists())
 
 
+class Streets(EditsTest):
+    def setUp(self):
+        super().setUp()
+        self.cloud, self.asked, out = self.once(self.base_run)
+        self.objects = self.objects_of(out)
+
+    def base_run(self):
+        cloud, asked = self.street(400000)
+        return cloud, asked, self.work(cloud, *asked)[0]
+
+    @staticmethod
+    def objects_of(out):
+        """Class, probability, by hand, points and place of the objects."""
+        with contextlib.closing(sqlite3.connect(out / "streets/objects.gpkg")) as file:
+            rows = file.execute("SELECT class, probability, by_hand, points, geom FROM objects ORDER BY object_id").fetchall()
+        objects = []
+        for name, probability, by_hand, points, shape in rows:
+            envelope = (0, 32, 48, 48, 64)[shape[3] >> 1 & 7]
+            x, y = struct.unpack("<dd", shape[8 + envelope + 5:8 + envelope + 21])
+            objects.append({"class": name, "probability": probability, "by_hand": by_hand, "points": points, "x": x, "y": y})
+        return objects
+
+    def first(self, name):
+        return next(o for o in self.objects if o["class"] == name)
+
+    @staticmethod
+    def row(edit, *objects, **more):
+        row = {"product": "streets", "edit": edit, **more}
+        for n, o in enumerate(objects, 1):
+            row[f"x{n}"], row[f"y{n}"] = o["x"], o["y"]
+        return row
+
+    def test_corrections_stand_and_can_be_learnt(self):
+        car, lamp, person = self.first("car"), self.first("lamppost"), self.first("pedestrian")
+        edits = self.table("edits.csv", self.row("kind", car, to_kind="van"), self.row("deleted", lamp),
+                           self.row("merged", car, person), self.row("deleted", {"x": car["x"] + 900, "y": car["y"]}))
+        out, run = self.work(self.cloud, *self.asked, "--edits", edits, code=3)
+        self.assertEqual((run["edits"]["made"], run["edits"]["without_partner"]), (3, 1))
+        objects = self.objects_of(out)
+        hand = [o for o in objects if o["by_hand"]]
+        self.assertEqual([(o["class"], o["probability"], o["points"]) for o in hand],
+                         [("van", None, car["points"] + person["points"])])
+        self.assertEqual([o for o in objects if not o["by_hand"]],
+                         [o for o in self.objects if o not in (car, lamp, person)])
+        apart = self.table("apart.csv", self.row("merged", car, person), self.row("split", car, person))
+        back, run = self.work(self.cloud, *self.asked, "--edits", apart)
+        self.assertEqual(run["edits"]["made"], 2)
+        self.assertEqual([(o["class"], o["x"], o["points"]) for o in self.objects_of(back) if o["by_hand"]],
+                         [(o["class"], o["x"], o["points"]) for o in self.objects if o in (car, person)])
+        places = self.folder / "places.csv"
+        self.assertEqual(ilot("edits", "--training", edits, "-o", places).returncode, 0)
+        self.assertEqual([line.split(",")[-1] for line in places.read_text().splitlines()], ["class", "van", "none", "none"])
+
+
 class Storeys(RunTest):
     def test_facades_give_buildings_their_storeys(self):
         cloud = self.scan("building", 200000, self.folder / "building.laz", storeys=4)
@@ -302,4 +359,4 @@ class Storeys(RunTest):
 
 
 if __name__ == "__main__":
-    main(synthetic=[Facades, Roofs, Storeys])
+    main(synthetic=[Facades, Roofs, Streets, Storeys])

@@ -21,7 +21,7 @@ namespace ilot {
 namespace {
 
 struct EditsArguments {
-  std::vector<std::string> drawings;
+  std::vector<std::string> drawings, training;
   std::string output, facade, layers = "ilot";
 };
 
@@ -50,9 +50,30 @@ std::string counts_of(const std::vector<Edit>& edits) {
   return text.empty() ? "nothing is changed" : text;
 }
 
+// The places of objects whose class the edits of streets say, for ilot run --train.
+int write_training(const EditsArguments& given) {
+  const std::vector<std::filesystem::path> tables(given.training.begin(), given.training.end());
+  std::string places = "WKT,class\n";
+  std::uint64_t count = 0;
+  for (const Edit& edit : read_edits(tables)) {
+    const std::string name = edit.action == EditAction::deleted ? "none"
+                             : edit.action == EditAction::added ? edit.kind
+                                                                : edit.to_kind;
+    if (edit.product != "streets" || name.empty()) continue;
+    places += fmt::format("POINT ({:.4f} {:.4f}),{}\n", edit.at[0].x, edit.at[0].y, name);
+    ++count;
+  }
+  if (count == 0) throw Error(given.training[0] + ": no edit of streets says a class", ExitCode::usage);
+  write_whole_file(given.output, places);
+  print(fmt::format("{}: {}\n", given.output, counted(count, "place")));
+  return static_cast<int>(ExitCode::ok);
+}
+
 int edits_command(const EditsArguments& given) {
-  if (given.drawings.size() != 2) throw Error("edits: --from-drawing OURS.dxf THEIRS.dxf is needed", ExitCode::usage);
+  if (given.drawings.size() != 2 && given.training.empty())
+    throw Error("edits: --from-drawing OURS.dxf THEIRS.dxf or --training TABLE is needed", ExitCode::usage);
   if (given.output.empty()) throw Error("edits: -o FILE is needed", ExitCode::usage);
+  if (!given.training.empty()) return write_training(given);
   const Facade facade = read_facade_json(facade_of(given));
   const DrawingEdits found =
       drawing_edits(read_dxf(given.drawings[0]), read_dxf(given.drawings[1]), facade, read_layers(given.layers));
@@ -68,14 +89,23 @@ int edits_command(const EditsArguments& given) {
 }  // namespace
 
 void add_edits_command(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("edits", "Makes a table of edits from a drawing that was corrected");
+  CLI::App* command =
+      app.add_subcommand("edits", "Makes a table of edits from a corrected drawing, or places for training from edits");
   auto given = std::make_shared<EditsArguments>();
   command
       ->add_option("--from-drawing", given->drawings,
                    "facade-NNN.dxf of a run, and the same as it was corrected [none]")
       ->option_text("OURS.dxf THEIRS.dxf")
       ->expected(2);
-  command->add_option("-o,--output", given->output, "the table, CSV, for ilot run --edits [none]")->option_text("FILE");
+  command
+      ->add_option(
+          "--training", given->training,
+          "tables of edits: writes the places of street objects whose class they say, for ilot run --train [none]")
+      ->option_text("TABLE");
+  command
+      ->add_option("-o,--output", given->output,
+                   "the table, CSV, for ilot run --edits, or the places for ilot run --train [none]")
+      ->option_text("FILE");
   command->add_option("--facade", given->facade, "the plan of the facade [facade-NNN.json beside OURS.dxf]")
       ->option_text("FACADE.json");
   command->add_option("--layers", given->layers, "of both drawings: ilot, aia, iso13567 or a mapping file [ilot]")

@@ -131,7 +131,8 @@ std::vector<StreetObject> read_objects_gpkg(const std::filesystem::path& path) {
     o.id = file.number(feature, "object_id");
     o.class_name = feature.GetFieldAsString("class");
     o.label = label_of(file, feature, o.class_name);
-    o.probability = file.real(feature, "probability");
+    o.by_hand = feature.GetFieldIndex("by_hand") >= 0 && file.number(feature, "by_hand") != 0;
+    o.probability = o.by_hand ? 1 : file.real(feature, "probability");
     o.base = o.middle = place_of(*geometry.toPoint());
     o.height_m = file.real(feature, "height_m");
     o.length_m = file.real(feature, "length_m");

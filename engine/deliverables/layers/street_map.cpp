@@ -68,8 +68,9 @@ std::string symbol(const Sheet& sheet, const StreetObject& o, double metres_per_
   for (const Vec3& corner : extent_of(drawn, metres_per_unit))
     points += fmt::format("{:.2f},{:.2f} ", sheet.x(corner), sheet.y(corner));
   points.pop_back();
-  return fmt::format("<polygon points=\"{}\" fill=\"{}\"><title>{} {}: {:.0f} %, {:.2f} m high</title></polygon>\n",
-                     points, colour_of(o.label), o.class_name, o.id, 100 * o.probability, o.height_m);
+  return fmt::format("<polygon points=\"{}\" fill=\"{}\"><title>{} {}: {}, {:.2f} m high</title></polygon>\n", points,
+                     colour_of(o.label), o.class_name, o.id,
+                     o.by_hand ? "by hand" : fmt::format("{:.0f} %", 100 * o.probability), o.height_m);
 }
 
 std::string pavement_area(const Sheet& sheet, const Pavement& pavement) {

@@ -17,14 +17,14 @@ void add_object_fields(OGRLayer& layer) {
   GpkgFile::add_field(layer, "label", OFTInteger64);
   for (const char* name : {"probability", "height_m", "length_m", "width_m", "heading_deg", "area_m2"})
     GpkgFile::add_field(layer, name, OFTReal);
-  for (const char* name : {"points", "stretch", "block"}) GpkgFile::add_field(layer, name, OFTInteger64);
+  for (const char* name : {"points", "stretch", "block", "by_hand"}) GpkgFile::add_field(layer, name, OFTInteger64);
 }
 
 void set_fields(OGRFeature& feature, const StreetObject& o) {
   feature.SetField("object_id", static_cast<GIntBig>(o.id));
   feature.SetField("class", o.class_name.c_str());
   feature.SetField("label", static_cast<GIntBig>(o.label));
-  feature.SetField("probability", o.probability);
+  if (!o.by_hand) feature.SetField("probability", o.probability);
   feature.SetField("height_m", o.height_m);
   feature.SetField("length_m", o.length_m);
   feature.SetField("width_m", o.width_m);
@@ -33,6 +33,7 @@ void set_fields(OGRFeature& feature, const StreetObject& o) {
   feature.SetField("points", static_cast<GIntBig>(o.points));
   if (o.stretch > 0) feature.SetField("stretch", static_cast<GIntBig>(o.stretch));
   if (o.block > 0) feature.SetField("block", static_cast<GIntBig>(o.block));
+  feature.SetField("by_hand", static_cast<GIntBig>(o.by_hand));
 }
 
 // The classes of a style: ours, and one's own among the objects.

@@ -124,8 +124,8 @@ std::string streets_section(const StreetPlan& plan, double metres_per_unit) {
                   true);
   for (const StreetObject& o : doubtful)
     table.add({fmt::format("<a href=\"#object/{0}\">{0}</a>", o.id), html_text(o.class_name),
-               number_text(100 * o.probability, 0), number_text(o.height_m, 2), number_text(o.length_m, 2),
-               number_text(o.width_m, 2), grouped(o.points),
+               o.by_hand ? "by hand" : number_text(100 * o.probability, 0), number_text(o.height_m, 2),
+               number_text(o.length_m, 2), number_text(o.width_m, 2), grouped(o.points),
                o.stretch == 0 ? "" : fmt::format("{}.{}", o.stretch, o.block)});
   if (!doubtful.empty()) content += "<h3>Objects, the least certain first</h3>\n" + table.html();
   return html_section(

@@ -12,6 +12,8 @@
 #include "engine/deliverables/layers/streets_gpkg.h"
 #include "engine/deliverables/layers/trees_gpkg.h"
 #include "engine/model/point_label.h"
+#include "engine/products/product_edits.h"
+#include "engine/products/streets/edits/object_edits.h"
 #include "engine/products/streets/ground/street_mask.h"
 #include "engine/products/streets/ground/structures.h"
 #include "engine/products/streets/ground/tiled_artefacts.h"
@@ -21,6 +23,7 @@
 #include "engine/products/streets/street_kerbs.h"
 #include "engine/products/streets/street_labels.h"
 #include "engine/products/streets/street_pavements.h"
+#include "engine/products/streets/street_places.h"
 #include "engine/products/streets/street_rasters.h"
 #include "engine/products/streets/street_training.h"
 #include "engine/products/streets/street_trees.h"
@@ -223,16 +226,47 @@ FoundStreet find_street(const Store& store, const StreetsSettings& settings, con
   return street;
 }
 
+namespace {
+
+// The whole candidates and their classes, with the edits of streets. Merges append candidates to those of the street.
+// Tells what became of each edit.
+SelectedObjects selected_objects(const StreetClasses& model, std::span<const Edit> all, const PassContext& context,
+                                 double unit, EditTally tally, FoundStreet& street) {
+  SelectedObjects selected;
+  selected.classes = classes_without_trunks(street, model.of(street.candidates));
+  selected.taken = select_objects(street.candidates, selected.classes);
+  selected.by_hand.assign(street.candidates.size(), 0);
+  std::vector<const Edit*> edits = edits_of(all, "streets");
+  std::erase_if(edits, [&](const Edit* edit) {
+    const Vec3& p = edit->at[0];
+    const bool outside = context.wanted && !context.wanted({std::llround(p.x / unit), std::llround(p.y / unit), 0});
+    if (outside) tally.outside();
+    return outside;
+  });
+  if (edits.empty()) return selected;
+  selected.candidates = std::move(street.candidates);
+  const auto at = [&](Vec3 place) { return part_at(street, place); };
+  const std::vector<EditResult> results = edit_objects(edits, at, street.tiles->raster().scale.pixel, selected);
+  street.candidates = std::move(selected.candidates);
+  for (std::size_t i = 0; i < edits.size(); ++i) tally.add(*edits[i], results[i]);
+  return selected;
+}
+
+}  // namespace
+
 void make_streets(const Store& store, const Settings& settings, const StreetTraining& train, const Crs& crs,
-                  const PassContext& context, const ProductOutput& out, StreetSteps* steps) {
+                  const PassContext& context, const ProductOutput& out, std::span<const Edit> edits,
+                  StreetSteps* steps) {
   out.progress.begin_stage("streets", 2 * store.points(), {store.points(), "points"});
   std::filesystem::create_directories(out.folder);
-  const FoundStreet street = find_street(store, settings.streets, context, steps == nullptr ? SeeTile{} : steps->see);
+  FoundStreet street = find_street(store, settings.streets, context, steps == nullptr ? SeeTile{} : steps->see);
   record_choices(settings.streets, street, out.record);
   const StreetClasses model = street_classes(street, train, crs, out.progress, out.record);
   if (model.trained) write_whole_file(out.folder / "objects.model", object_model_text(*model.trained));
-  const std::vector<CandidateClass> classes = classes_without_trunks(street, model.of(street.candidates));
-  const std::vector<std::uint8_t> taken = select_objects(street.candidates, classes);
+  const SelectedObjects selected =
+      selected_objects(model, edits, context, store.unit(), {out.progress, out.record}, street);
+  const std::vector<CandidateClass>& classes = selected.classes;
+  const std::vector<std::uint8_t>& taken = selected.taken;
   const std::vector<std::uint32_t> candidate_of = candidate_of_part(street.candidates, taken);
   StreetPlan plan;
   std::vector<std::uint32_t> object_of_candidate(street.candidates.size() + 1, 0);
@@ -241,8 +275,10 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
   for (std::size_t i = 0; i < street.candidates.size(); ++i) {
     const ObjectCandidate& candidate = street.candidates[i];
     if (taken[i] == 0 || !is_street_object(classes[i].label)) continue;
-    if (candidate.points < kLeastPoints || candidate.length > kLongestObject) continue;
+    const bool by_hand = selected.by_hand[i] != 0;
+    if (!by_hand && (candidate.points < kLeastPoints || candidate.length > kLongestObject)) continue;
     StreetObject object = object_of(street, blocks, candidate, classes[i], model.own());
+    object.by_hand = by_hand;
     if (context.wanted && !context.wanted({std::llround(object.base.x / unit), std::llround(object.base.y / unit), 0}))
       continue;
     object.id = static_cast<std::uint32_t>(plan.objects.size() + 1);

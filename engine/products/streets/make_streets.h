@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/cloud/cloud_info.h"
+#include "engine/model/edit.h"
 #include "engine/model/street.h"
 #include "engine/products/product_output.h"
 #include "engine/products/streets/blocks/city_blocks.h"
@@ -60,8 +61,10 @@ struct StreetSteps {
 
 // Runs find_street, classifies each candidate by the default model or by one that is trained from `train`
 // (street_classes), and writes all results: the files of the folder (streets/) and the column "street" (StreetLabel) of
-// every block. Objects whose base lies outside of the wanted area are left out. If `steps` is given, it is filled.
+// every block. Objects whose base lies outside of the wanted area are left out. Of the `edits` those of streets are
+// made on the objects (edits/object_edits.h) and counted in the record. If `steps` is given, it is filled.
 void make_streets(const Store& store, const Settings& settings, const StreetTraining& train, const Crs& crs,
-                  const PassContext& context, const ProductOutput& out, StreetSteps* steps = nullptr);
+                  const PassContext& context, const ProductOutput& out, std::span<const Edit> edits = {},
+                  StreetSteps* steps = nullptr);
 
 }  // namespace ilot

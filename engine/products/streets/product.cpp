@@ -23,7 +23,7 @@ std::string summary(const RunRecord& record) {
 
 void make(ProductRun& run) {
   make_streets(run.store, run.settings, *run.training, run.inputs.crs, run.context,
-               {run.folder / "streets", run.progress, run.record});
+               {run.folder / "streets", run.progress, run.record}, run.inputs.edits);
   const StreetCounts& found = *run.record.streets;
   if (found.objects + found.trees + found.kerbs == 0) skip_product(run, streets_product(), kNoObject);
 }

@@ -6,28 +6,38 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/model/point_label.h"
+
 namespace ilot {
 namespace {
 
 using enum EditAction;
 
 constexpr std::array kRules{
-    EditRule{"facades", added, 2, 2, 0, true, false, true, false},
-    EditRule{"facades", deleted, 2, 2, 0, false, false, true, false},
-    EditRule{"facades", moved, 2, 2, 2, false, false, true, false},
-    EditRule{"facades", kind, 2, 2, 0, false, true, true, false},
-    EditRule{"facades", side, 2, 2, 0, false, false, true, false},
-    EditRule{"roofs", kind, 0, 0, 0, false, true, false, true},
-    EditRule{"roofs", merged, 2, 2, 0, false, false, false, false},
+    EditRule{"facades", added, 2, 0, true, false, true, false},
+    EditRule{"facades", deleted, 2, 0, false, false, true, false},
+    EditRule{"facades", moved, 2, 2, false, false, true, false},
+    EditRule{"facades", kind, 2, 0, false, true, true, false},
+    EditRule{"facades", side, 2, 0, false, false, true, false},
+    EditRule{"streets", added, 1, 0, true, false, false, false},
+    EditRule{"streets", deleted, 1, 0, false, false, false, false},
+    EditRule{"streets", kind, 1, 0, false, true, false, false},
+    EditRule{"streets", merged, 2, 0, false, false, false, false},
+    EditRule{"streets", split, 2, 0, false, false, false, false},
+    EditRule{"roofs", kind, 0, 0, false, true, false, true},
+    EditRule{"roofs", merged, 2, 0, false, false, false, false},
 };
 
 constexpr std::array<const char*, 4> kOpenings{"window", "door", "shop", "opening"};
 constexpr std::array<const char*, 3> kPointKinds{"building", "ground", "other"};
 
-std::string counted_places(std::size_t least, std::size_t most, const char* prefix) {
-  if (most == 0) return fmt::format("no {}x1", prefix);
-  if (least == 1 && most == 1) return fmt::format("one place, {0}x1 {0}y1 {0}z1", prefix);
-  return fmt::format("{1} places, {0}x1 {0}y1 {0}z1 and {0}x2 {0}y2 {0}z2", prefix, least == 1 ? "one or two" : "two");
+// The columns of `places` places.
+std::string counted_places(std::size_t places, bool heights, const char* prefix) {
+  const auto columns = [&](int n) {
+    return fmt::format("{0}x{1} {0}y{1}", prefix, n) + (heights ? fmt::format(" {}z{}", prefix, n) : "");
+  };
+  if (places == 0) return fmt::format("no {}x1", prefix);
+  return places == 1 ? "one place, " + columns(1) : "two places, " + columns(1) + " and " + columns(2);
 }
 
 // The corners of an opening must not lie on one line along the wall or upright.
@@ -41,6 +51,10 @@ std::string kind_fault(const Edit& edit, const std::string& kind) {
   if (kind.empty()) return "";
   if (edit.product == "roofs")
     return one_of(kPointKinds) ? "" : fmt::format("\"{}\" is no kind of points: building, ground or other", kind);
+  if (edit.product == "streets") {
+    const auto label = label_named(kind);
+    return label && is_street_object(*label) ? "" : fmt::format("\"{}\" is no class of street objects", kind);
+  }
   return one_of(kOpenings) ? "" : fmt::format("\"{}\" is no kind of an opening: window, door, shop or opening", kind);
 }
 
@@ -65,9 +79,8 @@ std::string edit_rules_text() {
 std::string edit_fault(const Edit& edit, const EditRule& rule) {
   const std::string what =
       fmt::format("{} of {} needs ", kEditActionNames.at(static_cast<std::size_t>(rule.action)), rule.product);
-  if (edit.at.size() < rule.least_at || edit.at.size() > rule.most_at)
-    return what + counted_places(rule.least_at, rule.most_at, "");
-  if (edit.to.size() != rule.to) return what + counted_places(rule.to, rule.to, "to_");
+  if (edit.at.size() != rule.at) return what + counted_places(rule.at, rule.heights, "");
+  if (edit.to.size() != rule.to) return what + counted_places(rule.to, rule.heights, "to_");
   if (rule.kind && edit.kind.empty()) return what + "a kind";
   if (rule.to_kind && edit.to_kind.empty()) return what + "a to_kind";
   if (rule.area == edit.area.rings.empty()) return what + (rule.area ? "an area, POLYGON ((x y, ...))" : "no area");
@@ -76,8 +89,8 @@ std::string edit_fault(const Edit& edit, const EditRule& rule) {
     if (!edit.to.empty() && !has_size(edit.to)) return "the new corners of an opening are two opposite ones";
   }
   if (edit.low && edit.high && *edit.low > *edit.high) return "z1 is the lowest height and z2 the greatest";
-  if (edit.action == merged && edit.at[0].x == edit.at[1].x && edit.at[0].y == edit.at[1].y)
-    return "the two faces are given by two different places";
+  if ((edit.action == merged || edit.action == split) && edit.at[0].x == edit.at[1].x && edit.at[0].y == edit.at[1].y)
+    return "two different places are needed";
   if (edit.action == added)
     if (const std::string fault = kind_fault(edit, edit.kind); !fault.empty()) return fault;
   return kind_fault(edit, edit.to_kind);

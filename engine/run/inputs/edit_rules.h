@@ -10,11 +10,11 @@ namespace ilot {
 struct EditRule {
   const char* product = "";
   EditAction action = EditAction::added;
-  std::size_t least_at = 1, most_at = 1;  // places x1 y1 z1, x2 y2 z2
-  std::size_t to = 0;                     // places to_x1 ... to_z2
-  bool kind = false, to_kind = false;     // needed
-  bool heights = true;                    // places need z
-  bool area = false;                      // a polygon is needed
+  std::size_t at = 1;                  // places x1 y1 z1, x2 y2 z2
+  std::size_t to = 0;                  // places to_x1 ... to_z2
+  bool kind = false, to_kind = false;  // needed
+  bool heights = true;                 // places need z
+  bool area = false;                   // a polygon is needed
 };
 
 // nullptr: the product has no such edit.

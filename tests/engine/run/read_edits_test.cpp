@@ -88,7 +88,7 @@ TEST(ReadEdits, FaultsOfRoofs) {
   EXPECT_EQ(fault_of(head + "roofs,kind,,,,9,,,5,other," + area + "\n"),
             ":2: z1 is the lowest height and z2 the greatest");
   EXPECT_EQ(fault_of(head + "roofs,merged,,1,2,,,,,,\n").rfind(":2: merged of roofs needs two places", 0), 0u);
-  EXPECT_EQ(fault_of(head + "roofs,merged,,1,2,3,1,2,5,,\n"), ":2: the two faces are given by two different places");
+  EXPECT_EQ(fault_of(head + "roofs,merged,,1,2,3,1,2,5,,\n"), ":2: two different places are needed");
 }
 
 TEST(ReadEdits, FaultsNameTheLineAndWhatToDo) {

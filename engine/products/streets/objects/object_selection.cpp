@@ -50,7 +50,7 @@ std::vector<std::uint32_t> candidate_of_part(std::span<const ObjectCandidate> ca
   for (std::size_t i = candidates.size(); i-- > 0;) {
     if (taken[i] != 0) holder[i + 1] = static_cast<std::uint32_t>(i + 1);
     for (const std::uint32_t part : candidates[i].parts)
-      if (part != 0) holder[part] = holder[i + 1];
+      if (part != 0 && holder[i + 1] != 0) holder[part] = holder[i + 1];
   }
   for (std::size_t i = 0; i < candidates.size() && candidates[i].parts[0] == 0; ++i) of.push_back(holder[i + 1]);
   return of;
