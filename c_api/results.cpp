@@ -171,6 +171,27 @@ Json kerb_json(const StreetKerb& k) {
           {"length_m", k.length_m}};
 }
 
+Json width_json(const PavementWidth& w) {
+  return {{"kerb", w.kerb},
+          {"number", w.number},
+          {"from", json_of(w.from)},
+          {"to", json_of(w.to)},
+          {"kerb_seen", w.kerb_seen},
+          {"end", pavement_end_name(w.end)},
+          {"width_m", w.width_m},
+          {"error_m", w.error_m},
+          {"passable_m", w.passable_m},
+          {"passable_from_m", w.passable_from_m},
+          {"unseen_share", w.unseen_share},
+          {"road_m", w.road_m}};
+}
+
+Json pavement_json(const Pavement& p) {
+  return {
+      {"id", p.id},           {"kerb", p.kerb},       {"ring", ring_json(p.ring)},  {"length_m", p.length_m},
+      {"area_m2", p.area_m2}, {"width_m", p.width_m}, {"passable_m", p.passable_m}, {"unseen_share", p.unseen_share}};
+}
+
 Json planes_json(const PlaneSet& set) {
   Json list = Json::array();
   for (std::size_t i = 0; i < set.segments.size(); ++i) list.push_back(plane_json(set.segments[i], set.outlines[i]));
@@ -182,7 +203,9 @@ Json streets_json(const StreetPlan& plan) {
           {"blocks", list_of(plan.blocks, part_json)},
           {"gaps", list_of(plan.gaps, part_json)},
           {"trees", list_of(plan.trees, tree_json)},
-          {"kerbs", list_of(plan.kerbs, kerb_json)}};
+          {"kerbs", list_of(plan.kerbs, kerb_json)},
+          {"widths", list_of(plan.widths, width_json)},
+          {"pavements", list_of(plan.pavements, pavement_json)}};
 }
 
 template <typename Read>

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/deliverables/layers/gpkg_readers.h"
+#include "engine/deliverables/layers/pavements_gpkg.h"
 #include "engine/deliverables/solids/roofs_reader.h"
 #include "engine/deliverables/tables/facade_json.h"
 #include "engine/deliverables/tables/planes_csv.h"
@@ -89,6 +90,10 @@ StreetPlan read_streets(const fs::path& run_folder) {
     plan.pavements = read_pavements_gpkg(pavements);
   }
   return plan;
+}
+
+const char* pavement_end_name(PavementEnd end) {
+  return name_of(end);
 }
 
 std::string label_name(PointLabel label) {

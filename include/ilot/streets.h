@@ -70,6 +70,9 @@ enum class PavementEnd : std::uint8_t {
   step,     // a step of the ground: another kerb, stairs, the wall of a terrace
 };
 
+// "open", "unsure", "wall", "barrier", "step": as pavements.gpkg has it.
+const char* pavement_end_name(PavementEnd end);
+
 // The width of a pavement across one metre of a kerb.
 struct PavementWidth {
   std::uint32_t kerb = 0;    // id of the kerb
@@ -106,7 +109,7 @@ struct StreetPlan {
   std::vector<Pavement> pavements;
 };
 
-// Reads objects.gpkg and blocks.gpkg in streets/ of a run with the product streets. `middle` is that of the written
+// Reads the layers in streets/ of a run with the product streets. `middle` is that of the written
 // extent, at the height of the base; blocks and gaps lie at z = 0, as they are written. O(bytes). Several threads may
 // read at once. Error (usage) when there are no streets in the folder; a damaged file is an Error that names it.
 StreetPlan read_streets(const std::filesystem::path& run_folder);

@@ -115,12 +115,38 @@ class _Part(TypedDict):
     length_m: float
     height_m: float
 
+class _Width(TypedDict):
+    kerb: int
+    number: int
+    start: Place
+    end: Place
+    kerb_seen: bool
+    ends_at: str
+    width_m: float
+    error_m: float
+    passable_m: float
+    passable_from_m: float
+    unseen_share: float
+    road_m: float
+
+class _Pavement(TypedDict):
+    id: int
+    kerb: int
+    ring: Floats
+    length_m: float
+    area_m2: float
+    width_m: float
+    passable_m: float
+    unseen_share: float
+
 class _Streets(TypedDict):
     objects: list[_Object]
     trees: list[_Tree]
     kerbs: list[_Kerb]
     blocks: list[_Part]
     gaps: list[_Part]
+    widths: list[_Width]
+    pavements: list[_Pavement]
 
 _Level = tuple[str, Floats, list[tuple[Literal["roof", "wall", "ground"], list[list[int]]]]]
 

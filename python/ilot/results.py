@@ -196,13 +196,59 @@ class FacadePart:
 
 
 @dataclasses.dataclass(frozen=True)
+class PavementWidth:
+    """The width of a pavement across one metre of a kerb."""
+    kerb: int  # id of the kerb
+    number: int  # along the kerb, from 1
+    start: Place  # on the kerb's upper edge
+    end: Place  # on the ground where the pavement ends
+    kerb_seen: bool
+    ends_at: str  # open, unsure, wall, barrier, step
+    width_m: float  # in plan; of an open end to the last ground that was seen
+    error_m: float  # nine in ten widths are as near to the true one, if this is what ends the pavement
+    passable_m: float  # the widest part of it that no object reaches into, up to 2.2 m above the ground
+    passable_from_m: float  # where that part begins, from the kerb
+    unseen_share: float  # of the width
+    road_m: float  # from the kerb across the carriageway to the next kerb; 0 = none within 30 m
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        """Its line in plan."""
+        properties = {f.name: getattr(self, f.name) for f in dataclasses.fields(self) if f.name not in ("start", "end")}
+        return _feature({"type": "LineString", "coordinates": [self.start[:2], self.end[:2]]}, properties)
+
+
+@dataclasses.dataclass(frozen=True)
+class Pavement:
+    """Pavement between a kerb and what ends it, along places whose widths have an end."""
+    id: int
+    kerb: int  # id of the kerb
+    ring: Floats  # array of shape (vertices, 3): along the kerb, then back along the ends
+    length_m: float  # along the kerb
+    area_m2: float  # in plan
+    width_m: float  # median of its widths
+    passable_m: float  # the least of its passable widths
+    unseen_share: float  # mean over its widths
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        """Its outline in plan."""
+        properties = {f.name: getattr(self, f.name) for f in dataclasses.fields(self) if f.name != "ring"}
+        corners = [(float(p[0]), float(p[1])) for p in self.ring]
+        return _feature({"type": "Polygon", "coordinates": [_closed(corners)]}, properties)
+
+
+@dataclasses.dataclass(frozen=True)
 class Streets:
-    """What was found on streets. Objects, trees and kerbs are by id from 1, blocks and gaps along their stretch."""
+    """What was found on streets. Objects, trees, kerbs and pavements are by id from 1, blocks and gaps along their stretch, widths along
+    their kerb."""
     objects: list[StreetObject]
     trees: list[StreetTree]
     kerbs: list[StreetKerb]
     blocks: list[FacadePart]
     gaps: list[FacadePart]
+    widths: list[PavementWidth]
+    pavements: list[Pavement]
 
 
 def read_labels(folder: Path) -> dict[str, NDArray[np.void]]:
@@ -235,8 +281,10 @@ def read_facades(folder: Path) -> list[Facade]:
 
 
 def read_streets(folder: Path) -> Streets:
-    """Returns Streets: objects, trees, kerbs, and the blocks and gaps of lines of facades. Each list makes a table of GeoPandas."""
+    """Returns Streets: objects, trees, kerbs, pavements and their widths, and the blocks and gaps of lines of facades. Each list makes a
+    table of GeoPandas."""
     found = _ilot.read_streets(folder)
     return Streets([StreetObject(**one) for one in found["objects"]], [StreetTree(**one) for one in found["trees"]],
                    [StreetKerb(**one) for one in found["kerbs"]], [FacadePart(**one) for one in found["blocks"]],
-                   [FacadePart(**one) for one in found["gaps"]])
+                   [FacadePart(**one) for one in found["gaps"]], [PavementWidth(**one) for one in found["widths"]],
+                   [Pavement(**one) for one in found["pavements"]])

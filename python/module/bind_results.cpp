@@ -186,6 +186,36 @@ py::dict part_of(const FacadePart& p) {
   return one;
 }
 
+py::dict width_of(const PavementWidth& w) {
+  py::dict one;
+  one["kerb"] = w.kerb;
+  one["number"] = w.number;
+  one["start"] = tuple_of(w.from);
+  one["end"] = tuple_of(w.to);
+  one["kerb_seen"] = w.kerb_seen;
+  one["ends_at"] = pavement_end_name(w.end);
+  one["width_m"] = w.width_m;
+  one["error_m"] = w.error_m;
+  one["passable_m"] = w.passable_m;
+  one["passable_from_m"] = w.passable_from_m;
+  one["unseen_share"] = w.unseen_share;
+  one["road_m"] = w.road_m;
+  return one;
+}
+
+py::dict pavement_of(const Pavement& p) {
+  py::dict one;
+  one["id"] = p.id;
+  one["kerb"] = p.kerb;
+  one["ring"] = array_of(p.ring);
+  one["length_m"] = p.length_m;
+  one["area_m2"] = p.area_m2;
+  one["width_m"] = p.width_m;
+  one["passable_m"] = p.passable_m;
+  one["unseen_share"] = p.unseen_share;
+  return one;
+}
+
 template <typename Thing, typename ToDict>
 py::list list_of(const std::vector<Thing>& things, const ToDict& to_dict) {
   py::list out;
@@ -205,6 +235,8 @@ py::dict streets_python(const std::filesystem::path& folder) {
   out["kerbs"] = list_of(plan.kerbs, kerb_of);
   out["blocks"] = list_of(plan.blocks, part_of);
   out["gaps"] = list_of(plan.gaps, part_of);
+  out["widths"] = list_of(plan.widths, width_of);
+  out["pavements"] = list_of(plan.pavements, pavement_of);
   return out;
 }
 

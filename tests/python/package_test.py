@@ -81,8 +81,8 @@ class Package(ScannedCase):
 
     def trees_and_kerbs(self, plan, folder):
         """As sqlite3 reads the layers; each list has the geometry that its type says."""
-        def rows(layer, columns):
-            with sqlite3.connect(folder / f"{layer}.gpkg") as table:
+        def rows(layer, columns, file=None):
+            with sqlite3.connect(folder / f"{file or layer}.gpkg") as table:
                 return table.execute(f"select {columns} from {layer}").fetchall()
         trees = sorted(rows("trees", "tree_id, height_m, crown_radius_m, points"))
         kerbs = sorted(rows("kerbs", "kerb_id, height_m, length_m"))
@@ -95,6 +95,14 @@ class Package(ScannedCase):
             self.assertEqual(kerb.line.shape, (len(kerb.heights_m), 3))
             self.assertAlmostEqual(np.hypot(*np.diff(kerb.line[:, :2], axis=0).T).sum(), kerb.length_m, 2)
             self.assertEqual(len(kerb.__geo_interface__["geometry"]["coordinates"]), len(kerb.line))
+        widths = rows("widths", "width_m, passable_m, ends_at", "pavements")
+        self.assertGreater(min(len(widths), len(plan.pavements)), 0)
+        self.assertEqual([(None if w.ends_at == "open" else w.width_m, w.passable_m, w.ends_at) for w in plan.widths],
+                         widths)
+        areas = sum(abs(np.sum(r[:, 0] * np.roll(r[:, 1], -1) - r[:, 1] * np.roll(r[:, 0], -1))) / 2
+                    for r in (p.ring - p.ring[0] for p in plan.pavements))
+        self.assertAlmostEqual(areas, sum(p.area_m2 for p in plan.pavements), 0)
+        self.assertEqual(plan.pavements[0].__geo_interface__["geometry"]["type"], "Polygon")
         for part in plan.blocks + plan.gaps:
             self.assertAlmostEqual(np.hypot(part.end[0] - part.start[0], part.end[1] - part.start[1]), part.length_m, 2)
 
