@@ -28,7 +28,9 @@ constexpr double kStraightPane = 0.66;  // share of rows and columns that end at
 constexpr double kPaneFill = 0.6;       // Choice: a half circle fills 0.785 of its box; a corner may be hidden
 // Choice: the width of a narrow pier.
 constexpr double kRingFrom = 0.05, kRingTo = 0.35;  // metres beside a pane in which the wall about it is measured
-constexpr std::size_t kFewestOnSheet = 30;          // points of a pane and of the wall about it
+// Derived: the medians of twelve and twelve points differ by chance by 0.51 of the scatter (one standard deviation), so
+// that a step of twice the scatter is four of these.
+constexpr std::size_t kFewestOnSheet = 12;  // points of a pane and of the wall about it
 // Choice: as kBoundReach in openings.cpp, and a cell.
 constexpr double kLocalMargin = 0.65;          // metres of the wall about a pane that are looked at again
 constexpr std::uint64_t kMostLocal = 1 << 17;  // points of that; more do not improve the result
@@ -98,8 +100,15 @@ struct Step {
   double wall = 0, noise = 0, depth = 0;
 };
 
-std::optional<Step> step_at_pane(const RaySamples& samples, const TrendSurface& form, const Box2& box, double least) {
+std::optional<Step> step_at_pane(const RaySamples& samples, const TrendSurface& form, const Box2& box, double least,
+                                 const std::vector<Box2>& panes) {
   const Box2 inner = box.grown(-kRingFrom), from = box.grown(kRingFrom), to = box.grown(kRingTo);
+  std::vector<Box2> others;
+  for (const Box2& p : panes)
+    if (shared_area(p, to) > 0) others.push_back(p);
+  const auto in_pane = [&](Place2 p) {
+    return std::any_of(others.begin(), others.end(), [&](const Box2& b) { return b.contains(p); });
+  };
   Rays near = samples.near(to);
   const auto counts = [&](const Ray& ray) {
     return std::abs(off_form(form, ray)) < kDeepest && to.contains(samples.crossing(ray, 0));
@@ -111,7 +120,8 @@ std::optional<Step> step_at_pane(const RaySamples& samples, const TrendSurface& 
     const Place2 p = samples.crossing(ray, 0);
     const double off = off_form(form, ray);
     if (inner.contains(p) && off < least / 2) pane.push_back(off);
-    if (!from.contains(p) && std::abs(off) < std::max({least, 2 * kLeastStep, kScatterBefore * form.noise}))
+    if (!from.contains(p) && std::abs(off) < std::max({least, 2 * kLeastStep, kScatterBefore * form.noise}) &&
+        !in_pane(p))
       wall.push_back(off);
   }
   if (wall.size() < kFewestOnSheet || pane.size() < kFewestOnSheet) return std::nullopt;
@@ -194,6 +204,13 @@ WallCells cells_about(const RaySamples& about, const WallCells& whole, Place2 fr
   return cells;
 }
 
+// Whether the sides of a region are straight, or its head is that of an arch: as its cells show, or as the rays do.
+bool has_form_of_opening(const FoundRectangle& opening, const CellRegion& region, const CellBox& box,
+                         const WallCells& cells) {
+  return opening.arc || opening.pointed || straight_share(region, box, cells.columns) >= kStraightPane ||
+         straight_share_at_wall(region, box, cells) >= kStraightPane || has_arched_top(region, box, cells.columns);
+}
+
 // The opening in those cells of the wall about a marked pane that are connected with its middle.
 std::optional<FoundRectangle> opening_at(const RaySamples& about, const WallCells& cells,
                                          const std::vector<bool>& silent, const Box2& pane, double through,
@@ -206,18 +223,19 @@ std::optional<FoundRectangle> opening_at(const RaySamples& about, const WallCell
         const CellBox b = box_of(region, cells.columns);
         const double c = middle.u / cells.cell, r = middle.v / cells.cell;
         if (c < static_cast<double>(b.c0) || c > static_cast<double>(b.c1 + 1) || r < static_cast<double>(b.r0) ||
-            r > static_cast<double>(b.r1 + 1) ||
-            (straight_share(region, b, cells.columns) < kStraightPane && !has_arched_top(region, b, cells.columns)))
+            r > static_cast<double>(b.r1 + 1))
           return;
-        opening = opening_in(about, cells, region, silent, through, params);
+        std::optional<FoundRectangle> found = opening_in(about, cells, region, silent, through, params);
+        if (found && has_form_of_opening(*found, region, b, cells)) opening = std::move(found);
       });
   return opening;
 }
 
 // The opening about a marked box.
 std::optional<FoundRectangle> shallow_opening(const RaySamples& samples, const TrendSurface& form, const Box2& box,
-                                              double least, const WallCells& whole, const OpeningParams& params) {
-  const std::optional<Step> step = step_at_pane(samples, form, box, least);
+                                              double least, const std::vector<Box2>& panes, const WallCells& whole,
+                                              const OpeningParams& params) {
+  const std::optional<Step> step = step_at_pane(samples, form, box, least, panes);
   if (!step) return std::nullopt;
   const LocalWall local = local_wall(samples, form, box, *step, params);
   const RaySamples about(local.site);
@@ -268,8 +286,9 @@ std::vector<FoundRectangle> find_shallow_openings(const RaySamples& samples, con
       samples, form, cells, {-kDeepest, before, -before - kStepOfNoise * form.noise, kStepOfNoise * form.noise});
   std::vector<FoundRectangle> found;
   std::vector<Box2> seen;
-  for (double step = means.step; step < depth_through(samples.site(), params); step *= kNextStep)
-    for (const Box2& box : boxes_behind(means, cells, step, params)) {
+  for (double step = means.step; step < depth_through(samples.site(), params); step *= kNextStep) {
+    const std::vector<Box2> panes = boxes_behind(means, cells, step, params);
+    for (const Box2& box : panes) {
       const double area = area_of_box(box);
       const auto is_same = [&](const Box2& b) {
         return shared_area(b, box) > kSameBox * std::max(area, area_of_box(b));
@@ -277,9 +296,10 @@ std::vector<FoundRectangle> find_shallow_openings(const RaySamples& samples, con
       const auto is_in = [&](const FoundRectangle& o) { return shared_area(o.box(), box) > kPieceShare * area; };
       if (std::any_of(seen.begin(), seen.end(), is_same) || std::any_of(found.begin(), found.end(), is_in)) continue;
       seen.push_back(box);
-      if (const std::optional<FoundRectangle> opening = shallow_opening(samples, form, box, step, cells, params))
+      if (const std::optional<FoundRectangle> opening = shallow_opening(samples, form, box, step, panes, cells, params))
         found.push_back(*opening);
     }
+  }
   return found;
 }
 

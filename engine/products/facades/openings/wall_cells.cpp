@@ -80,6 +80,25 @@ RegionEnds ends_of(const CellRegion& region, std::int64_t columns) {
   return ends;
 }
 
+// Each end becomes the median of three, so that a single row on which a stray point lies does not count.
+void smooth(std::vector<std::int64_t>& ends) {
+  std::vector<std::int64_t> out = ends;
+  for (std::size_t i = 1; i + 1 < ends.size(); ++i)
+    out[i] = std::max(std::min(ends[i - 1], ends[i]), std::min(std::max(ends[i - 1], ends[i]), ends[i + 1]));
+  ends = std::move(out);
+}
+
+// The share of the ends within one cell of the best line beside a side of the box, which is where the farthest ones
+// end. 1 where there are none.
+double share_on_line(const std::vector<std::int64_t>& ends, std::int64_t side) {
+  if (ends.empty()) return 1;
+  std::int64_t most = 0;
+  for (std::int64_t line = side - 1; line <= side + 1; ++line)
+    most = std::max<std::int64_t>(
+        most, std::count_if(ends.begin(), ends.end(), [&](std::int64_t i) { return std::abs(i - line) <= 1; }));
+  return static_cast<double>(most) / static_cast<double>(ends.size());
+}
+
 }  // namespace
 
 WallCells wall_grid(const FacadeSite& site) {
@@ -160,8 +179,9 @@ CellBox box_of(const CellRegion& region, std::int64_t columns) {
 }
 
 bool has_arched_top(const CellRegion& region, const CellBox& box, std::int64_t columns) {
-  const RegionEnds ends = ends_of(region, columns);
+  RegionEnds ends = ends_of(region, columns);
   const std::int64_t first = *std::min_element(ends.low.begin(), ends.low.end());
+  smooth(ends.left), smooth(ends.right);
   std::int64_t jambs = 0, rows = 0, symmetric = 0, falling = 0, left = box.c0, right = box.c1;
   for (std::size_t r = 0; r < ends.left.size(); ++r) {
     const std::int64_t row = first + static_cast<std::int64_t>(r);
@@ -179,11 +199,33 @@ bool has_arched_top(const CellRegion& region, const CellBox& box, std::int64_t c
 
 double straight_share(const CellRegion& region, const CellBox& box, std::int64_t columns) {
   const RegionEnds ends = ends_of(region, columns);
-  const auto near = [](const std::vector<std::int64_t>& at, std::int64_t side) {
-    const auto count = std::count_if(at.begin(), at.end(), [&](std::int64_t i) { return std::abs(i - side) <= 1; });
-    return static_cast<double>(count) / static_cast<double>(at.size());
+  return std::min(
+      {share_on_line(ends.left, box.c0), share_on_line(ends.right, box.c1), share_on_line(ends.low, box.r0)});
+}
+
+double straight_share_at_wall(const CellRegion& region, const CellBox& box, const WallCells& cells) {
+  const RegionEnds ends = ends_of(region, cells.columns);
+  const std::int64_t row = *std::min_element(ends.low.begin(), ends.low.end());
+  const std::int64_t column = *std::min_element(ends.left.begin(), ends.left.end());
+  const auto is_wall = [&](std::int64_t c, std::int64_t r) {
+    if (c < 0 || r < 0 || c >= cells.columns) return false;
+    return cells.at(c, r) == kSolid || cells.at(c, r) == kRelief;
   };
-  return std::min({near(ends.left, box.c0), near(ends.right, box.c1), near(ends.low, box.r0)});
+  std::vector<std::int64_t> left, right, low;
+  for (std::size_t i = 0; i < ends.left.size(); ++i) {
+    const std::int64_t r = row + static_cast<std::int64_t>(i);
+    if (ends.right[i] < 0) continue;
+    if (is_wall(ends.left[i] - 1, r)) left.push_back(ends.left[i]);
+    if (is_wall(ends.right[i] + 1, r)) right.push_back(ends.right[i]);
+  }
+  for (std::size_t i = 0; i < ends.low.size(); ++i)
+    if (ends.high[i] >= 0 && is_wall(column + static_cast<std::int64_t>(i), ends.low[i] - 1))
+      low.push_back(ends.low[i]);
+  const auto enough = [&](const std::vector<std::int64_t>& at) {
+    return static_cast<double>(at.size()) >= kJambRows * static_cast<double>(box.rows());
+  };
+  if (!enough(left) || !enough(right)) return 0;
+  return std::min({share_on_line(left, box.c0), share_on_line(right, box.c1), share_on_line(low, box.r0)});
 }
 
 }  // namespace ilot

@@ -101,9 +101,13 @@ struct CellBox {
 // too early, and single cells go beyond.
 CellBox box_of(const CellRegion& region, std::int64_t columns);
 
-// The share of the rows and columns of a region that end within one cell of a side of its box, at the worst of its
-// left, right and lower sides. 1 for a rectangle.
+// The share of the rows and columns of a region that end within one cell of one line beside a side of its box, at the
+// worst of its left, right and lower sides. 1 for a rectangle.
 double straight_share(const CellRegion& region, const CellBox& box, std::int64_t columns);
+
+// The same of those rows and columns alone that end at the wall: where something hides an end it says nothing. 0 where
+// too few rows end at the wall on the left or on the right.
+double straight_share_at_wall(const CellRegion& region, const CellBox& box, const WallCells& cells);
 
 // Whether a region has the form of an opening with an arch: jambs below, and above them rows that become narrower on
 // both sides alike, to one or two cells. A rectangle has this form too. O(cells).

@@ -112,6 +112,21 @@ TEST(ShallowOpenings, APaneInAWallThatGoesBackBesideIt) {
   EXPECT_NEAR(found[0].at(Side::right), 3.1, found[0].error(Side::right));
 }
 
+// Some twenty points on a pane show it, and the pane beside it, past a narrow pier, is no wall about it.
+TEST(ShallowOpenings, TwoPanesOfFewPointsWithANarrowPier) {
+  test::ScannedWall wall;
+  wall.wall({{2, -0.05, 1.7, 2.7, 1.4, 2.2, 0}, {2, -0.05, 3.0, 4.0, 1.4, 2.2, 0}});
+  FacadeSite site = test::scan_wall(wall, {2.8, 1.5, 8}, 0.02, 999, 0.006);
+  for (FacadePoint& p : site.points) p.plane = 0;
+  site.wall.clear();
+  const std::vector<FoundRectangle> found = find_openings(RaySamples(site));
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_NEAR(found[0].at(Side::left), 1.7, found[0].error(Side::left));
+  EXPECT_NEAR(found[1].at(Side::right), 4.0, found[1].error(Side::right));
+  EXPECT_LT(found[0].at(Side::right), 3.0);
+  EXPECT_GT(found[1].at(Side::left), 2.7);
+}
+
 TEST(ShallowOpenings, WhatLiesWithinTheNoiseOrIsAJointIsNone) {
   EXPECT_TRUE(find_openings(RaySamples(bowed({2, -0.01, 2, 3.1, 1.2, 2.8, 0}))).empty());
   EXPECT_TRUE(find_openings(RaySamples(bowed({2, -0.03, 0.5, 5.5, 2, 2.1, 0}))).empty());
