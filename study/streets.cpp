@@ -9,10 +9,12 @@
 // only the classes are learnt. With --thin N, the classes are also learnt from one point in N of each street, with
 // --bare H from each street without its ground and what is higher than H; the roles are not, unless --all-roles is
 // given. With --in-turn, each street is used as it is and in one of these ways in turn. Where there are many streets,
-// the folds of the training keep each of them together.
+// the folds of the training keep each of them together. With --stated MODEL, that model learns what probabilities it
+// states from the streets, which it must not have been trained with, and is written again.
 //
 // Usage: study_streets STREET.laz... [--cut H] [--bare H] [--thin N]... [--all-roles] [--in-turn] [--air]
-//        [--cache FOLDER] [--model FILE] [--roles MODEL] [--judge MODEL] [--only-model | --everything | --shipped]
+//        [--cache FOLDER] [--model FILE] [--roles MODEL] [--judge MODEL] [--stated MODEL] [--only-model | --everything
+//        | --shipped]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,6 +29,7 @@
 #include "kernels/core/portable_math.h"
 #include "study/confusion.h"
 #include "study/stated.h"
+#include "study/street_models.h"
 #include "study/street_samples.h"
 #include "training/object_model_training.h"
 
@@ -39,7 +42,7 @@ constexpr std::size_t kManyStreets = 20;  // four in each fold
 
 struct Arguments {
   std::vector<std::string> clouds;
-  fs::path cache, model, roles, judged;
+  fs::path cache, model, roles, judged, stated;
   double cut = 0;
   std::vector<Leaving> others;  // the classes are also learnt from them
   bool evaluate = true, four_classes = true, shipped = false, air = false, all_roles = false, in_turn = false;
@@ -213,10 +216,7 @@ void evaluate_model(const std::vector<Street>& streets, std::size_t different, c
   StatedOf stated;
   std::vector<std::vector<CandidateClass>> by_street;
   for (const Street& street : streets) {
-    std::vector<CandidateFeatures> features;
-    std::vector<CandidateParts> parts;
-    for (const TrainingSample& s : street.samples) features.push_back(s.features), parts.push_back(s.parts);
-    by_street.push_back(classify_candidates(model, features, parts));
+    by_street.push_back(classes_of(street, model));
     evaluate_selection(street, by_street.back(), all, shares, stated);
     if (by_street.size() % different == 0) print_kind(all, shares, stated, kinds[by_street.size() / different - 1]);
   }
@@ -241,12 +241,6 @@ std::string recipe_of(const Arguments& a, std::size_t samples) {
   text += " --only-model --model " + a.model.filename().string() + "\n";
   return text + fmt::format("{} objects; {} folds by {}\n", samples, ObjectTrainingParams{}.folds,
                             a.clouds.size() >= kManyStreets ? "street" : "block");
-}
-
-ObjectModel read_model(const fs::path& path) {
-  std::stringstream text;
-  text << std::ifstream(path).rdbuf();
-  return parse_object_model(text.str(), path.string());
 }
 
 // The roles of `a.roles`, or those that are learnt from the streets, with --all-roles also from the others; the classes
@@ -307,6 +301,8 @@ Arguments read_arguments(const std::vector<std::string>& words) {
       a.roles = words[++i];
     else if (words[i] == "--judge" && i + 1 < words.size())
       a.judged = words[++i], a.evaluate = false;
+    else if (words[i] == "--stated" && i + 1 < words.size())
+      a.stated = words[++i], a.evaluate = false;
     else if (words[i] == "--in-turn")
       a.in_turn = true;
     else if (words[i] == "--all-roles")
@@ -369,6 +365,7 @@ void run(const Arguments& a) {
     evaluate(streets, different, "everything found, all features", {}, Judged::everything);
   }
   if (!a.model.empty()) write_model(streets, others, a);
+  if (!a.stated.empty()) learn_stated(streets, a.clouds, a.stated);
 }
 
 }  // namespace

@@ -14,10 +14,11 @@ def range_of(text):
     return first, last
 
 
-def scan(exe, scene, seed, cloud, settings=(), without=""):
-    """`settings` are KEY=VALUE of the scene, without `scene.`."""
+def scan(exe, scene, seed, cloud, settings=(), without="", points=None):
+    """`settings` are KEY=VALUE of the scene, without `scene.`; `points`: how many, as the scene has it if None."""
     sets = [word for value in settings for word in ("--set", f"scene.{value}")]
     left_out = ["--without", without] if without else []
+    left_out += ["--points", str(points)] if points else []
     return [exe, "scan", scene, "--seed", str(seed), "-o", str(cloud), "--overwrite", *ONE_THREAD, *sets, *left_out]
 
 

@@ -40,16 +40,19 @@ constexpr std::uint64_t kLeastPoints = 3;  // least number of points of an objec
 constexpr double kTrunkShare = 0.9;  // of the height from which crowns are taken out
 // Choice: longer than a tram's car; what is longer is a wall, a fence or a hedge.
 constexpr double kLongestObject = 20;  // metres
-// Derived: a square of two pixels, the smallest that is no line.
-constexpr double kCandidatePixels = 4;  // least number of pixels of a candidate
+// Derived: a square of two pixels, the smallest that is no line. From the street a pole is one pixel, with a point in
+// many of its bins.
+constexpr double kPixelsFromAir = 4;  // least number of pixels of a candidate
 
 GroundParams ground_params(const StreetsSettings& s, const RasterScale& scale) {
   return {s.flat, std::max(s.longest_gap, kStepsOfGap * scale.pixel), s.advanced.gap_step, s.longest_link};
 }
 
-ObjectCandidateParams candidate_params(const StreetsSettings& s, const RasterScale& scale, double mean_accumulation) {
+ObjectCandidateParams candidate_params(const StreetsSettings& s, const RasterScale& scale, StreetView view,
+                                       double mean_accumulation) {
   ObjectCandidateParams params;
-  params.separation.least_area = std::max(s.least_area, kCandidatePixels * scale.pixel * scale.pixel);
+  const double pixels = view == StreetView::air ? kPixelsFromAir : 1;
+  params.separation.least_area = std::max(s.least_area, pixels * scale.pixel * scale.pixel);
   params.separation.rise = s.rise;
   params.mean_accumulation = mean_accumulation;
   return params;
@@ -219,7 +222,7 @@ FoundStreet find_street(const Store& store, const StreetsSettings& settings, con
   find_artefacts_tiled(tiles.layers(), scale, artefacts);
   put_on_terrain(tiles.layers(), tiles.cells(), artefacts.highest_kerb, artefacts.least_height);
   tiles.spread_level(artefacts.ring_reach);
-  const ObjectCandidateParams params = candidate_params(settings, scale, tiles.mean_accumulation());
+  const ObjectCandidateParams params = candidate_params(settings, scale, street.view, tiles.mean_accumulation());
   tiles.count_above(settings.least_height, params.low_height, street.view);
   street.candidates = find_object_candidates(tiles.layers(), scale, params);
   street.stretches = find_city_blocks(tiles.layers(), scale, blocks_params(settings.advanced));

@@ -12,6 +12,7 @@
 #include "engine/products/streets/ground/standing_features.h"
 #include "engine/products/streets/ground/standing_form.h"
 #include "engine/products/streets/ground/street_mask.h"
+#include "engine/products/streets/objects/structures_beside.h"
 #include "engine/store/stretches.h"
 #include "engine/tiles/lattice_cells.h"
 #include "kernels/core/integers.h"
@@ -364,6 +365,10 @@ void StreetTiles::count_above(double least_height, double low_height, StreetView
       if (const std::uint32_t i = static_cast<std::uint32_t>(z - ground) / bin; i < bins)
         occupancy.values[pixel] |= 1 << i;
     });
+    const Image of_cells = structures_beside(cells_, tile);
+    Image beside = filled_image(kSide, kSide, 0);
+    for (std::size_t i = 0; i < beside.size(); ++i) beside.values[i] = of_cells.values[cells_.cell_of(i, kSide)];
+    layers().write("beside", tile, beside);
     layers().write("above", tile, above);
     layers().write("low", tile, low);
     layers().write("occupancy", tile, occupancy);

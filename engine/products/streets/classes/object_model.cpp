@@ -70,6 +70,11 @@ class ModelReader {
       std::copy_n(v.begin() + kCandidateStates, kCandidateStates, model_.roles.bias.begin());
       return;
     }
+    if (word == "stated") {
+      const auto v = numbers(words, 2);
+      model_.stated = {v[0], v[1]};
+      return;
+    }
     if (TreesReader::knows(word)) {
       if (const std::string wrong = trees_.take(line, model_.classes.size()); !wrong.empty()) fail(wrong);
       return;
@@ -214,6 +219,12 @@ CandidateClass role_of(const ObjectModel& model, const KindShares& kind) {
   return out;
 }
 
+// Most models state what their trees give.
+double stated_probability(const StatedOdds& stated, double p) {
+  if (stated.slope == -1 && stated.offset == 0) return p;
+  return sigmoid(stated.slope * log_odds(p) + stated.offset);
+}
+
 bool is_object(const CandidateClass& role, const KindShares& kind) {
   return share_of(kind, CandidateKind::object) > 0 && role.object >= 0;
 }
@@ -226,6 +237,7 @@ void set_class(const ObjectModel& model, const ClassShares& shares, const KindSh
                rest = share_of(kind, CandidateKind::vegetation) + share_of(kind, CandidateKind::nothing);
   of.label = label;
   of.probability = objects + rest > 0 ? share * (object ? objects : rest) / (objects + rest) : 0;
+  if (object) of.probability = stated_probability(model.stated, of.probability);
   if (object && !is_similar)
     of.label = PointLabel::other, of.probability = 1 / static_cast<double>(shares.share.size());
 }
@@ -293,6 +305,8 @@ std::string object_model_text(const ObjectModel& model) {
   for (const auto& list : {model.roles.power, model.roles.bias})
     for (const double v : list) text += fmt::format(" {:.9g}", v);
   text += "\n";
+  if (model.stated.slope != -1 || model.stated.offset != 0)
+    text += fmt::format("stated {:.9g} {:.9g}\n", model.stated.slope, model.stated.offset);
   for (std::size_t v = 0; v < model.vectors.size(); ++v) {
     text += fmt::format("{} {}", model.weights.empty() ? "sample" : "vector", model.class_of_vector[v]);
     if (!model.weights.empty())

@@ -26,6 +26,12 @@ struct RoleWeights {
   std::array<double, kCandidateStates> power{1, 1, 1, 1}, bias{};
 };
 
+// The probability that is stated for the class of an object: 1 / (1 + exp(slope f + offset)), where f is the logarithm
+// of the odds that the trees give. Learnt on streets that the trees were not trained with.
+struct StatedOdds {
+  double slope = -1, offset = 0;
+};
+
 // A trained classifier. The classes come from a support vector machine (one against one, radial kernel exp(-gamma d^2)
 // on standardised features) or from boosted trees. Where the samples had roles, the model also has trees that decide
 // what is whole and an object; the classes are then learnt from objects only.
@@ -45,6 +51,7 @@ struct ObjectModel {
   ColumnTrees class_trees;                     // empty: the machine decides the classes
   RoleTrees trees;
   RoleWeights roles;
+  StatedOdds stated;
 };
 
 // The class of a candidate if it is whole, and the probability of that class; and the weight of each role: its

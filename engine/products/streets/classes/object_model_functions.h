@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Internal to the classifier of candidates: functions that training and use share.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -31,6 +32,13 @@ inline double radial(const std::vector<double>& a, const std::vector<double>& b,
 inline double sigmoid(double v) {
   return v >= 0 ? natural_exp(-std::min(v, 701.0)) / (1 + natural_exp(-std::min(v, 701.0)))
                 : 1 / (1 + natural_exp(std::max(v, -701.0)));
+}
+
+// The logarithm of the odds of a probability, which is kept from 0 and 1.
+inline double log_odds(double p) {
+  constexpr double kLeast = 1e-6;  // Derived: below one object in those that models are trained on
+  const double kept = std::min(std::max(p, kLeast), 1 - kLeast);
+  return natural_log(kept) - natural_log(1 - kept);
 }
 
 // The index of the pair (a, b), a < b, of k classes.

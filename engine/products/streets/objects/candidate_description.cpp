@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/products/streets/objects/candidate_shape.h"
+#include "engine/products/streets/objects/structures_beside.h"
 #include "kernels/core/portable_math.h"
 
 namespace ilot {
@@ -17,6 +18,8 @@ struct Tally {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;  // pixels
   double low = 0, low_x = 0, low_y = 0;                // low points, and the sums of their positions
   double above = 0, points = 0, slope = 0;
+  double wall = 0, wall_nearest = INFINITY, crown = 0, overhang = 0;  // of what is around its pixels
+  double edge = 0, edge_ground = 0, edge_standing = 0, edge_building = 0;
   Height ground = kAboveAll;
 };
 
@@ -67,10 +70,32 @@ class Describer {
       t.above += std::max(0, patch_.above.values[i]);
       t.points += std::max(0, patch_.accumulation.values[i]);
       t.slope += slope_.values[i];
+      add_beside(StructuresBeside(patch_.beside.values[i]), t);
+      for (const std::size_t q : {i - w, i - 1, i + 1, i + w})
+        if (labels.of[q] != labels.of[i]) add_edge(q, t);
       if (patch_.range.values[i] != kNoHeight)
         t.ground = std::min(t.ground, patch_.range.values[i] - patch_.height.values[i]);
     }
     return tallies;
+  }
+
+  static void add_beside(StructuresBeside beside, Tally& t) {
+    t.wall += beside.distance();
+    t.wall_nearest = std::min(t.wall_nearest, beside.distance());
+    t.crown += beside.structure() == Structure::crown;
+    t.overhang += beside.structure() == Structure::overhang;
+  }
+
+  // What the pixel `q` beside an edge shows.
+  void add_edge(std::size_t q, Tally& t) const {
+    const StructuresBeside beside(patch_.beside.values[q]);
+    ++t.edge;
+    if (own_.values[q] != kNoHeight)
+      ++t.edge_standing;
+    else if (beside.structure() == Structure::wall || beside.structure() == Structure::roof)
+      ++t.edge_building;
+    else if (patch_.accumulation.values[q] > 0)
+      ++t.edge_ground;
   }
 
   ObjectCandidate candidate(const ComponentFeatures& document, const Tally& t) const {
@@ -100,6 +125,16 @@ class Describer {
     set(CandidateFeature::roughness, t.slope / n * scale_.unit);
     set(CandidateFeature::length, out.length);
     set(CandidateFeature::width, out.width);
+    const double edge = std::max(1.0, t.edge);
+    set(CandidateFeature::wall_distance, t.n > 0 ? t.wall_nearest : 0);
+    set(CandidateFeature::wall_mean, t.wall / n);
+    set(CandidateFeature::crown_share, t.crown / n);
+    set(CandidateFeature::overhang_share, t.overhang / n);
+    set(CandidateFeature::edge_ground, t.edge_ground / edge);
+    set(CandidateFeature::edge_standing, t.edge_standing / edge);
+    set(CandidateFeature::edge_building, t.edge_building / edge);
+    set(CandidateFeature::seen_points, t.above);
+    set(CandidateFeature::pixel_size, scale_.pixel);
     return out;
   }
 

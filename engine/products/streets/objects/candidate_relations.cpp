@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace ilot {
 namespace {
@@ -37,6 +38,20 @@ void set_joined(const ObjectCandidate& whole, const ObjectCandidate& other, Obje
   set(part, CandidateFeature::joined_length, of(whole, CandidateFeature::length));
 }
 
+// Sets the features of the join that contains a candidate and is in no other. Parts come before their joins.
+void set_roots(std::span<ObjectCandidate> candidates) {
+  std::vector<std::size_t> root(candidates.size());
+  for (std::size_t i = candidates.size(); i-- > 0;) {
+    root[i] = std::max(root[i], i);
+    for (const std::uint32_t part : candidates[i].parts)
+      if (part != 0) root[part - 1] = root[i];
+    const ObjectCandidate& whole = candidates[root[i]];
+    const double area = of(whole, ComponentFeature::area);
+    set(candidates[i], CandidateFeature::root_share, area > 0 ? of(candidates[i], ComponentFeature::area) / area : 0);
+    set(candidates[i], CandidateFeature::root_length, of(whole, CandidateFeature::length));
+  }
+}
+
 }  // namespace
 
 void relate_candidates(std::span<ObjectCandidate> candidates) {
@@ -53,6 +68,7 @@ void relate_candidates(std::span<ObjectCandidate> candidates) {
     set_joined(t, b, a);
     set_joined(t, a, b);
   }
+  set_roots(candidates);
 }
 
 }  // namespace ilot

@@ -20,15 +20,15 @@ Patch load_patch(const TileLayers& layers, const PixelRect& r) {
   const auto read = [&](const char* layer) {
     return layer_window(layers, layer, r.x0 - 1, r.y0 - 1, r.width() + 2, r.height() + 2);
   };
-  return {r.x0 - 1,      r.y0 - 1,    read("standing"),  read("range"),     read("accumulation"),
-          read("above"), read("low"), read("occupancy"), read("components")};
+  return {r.x0 - 1,      r.y0 - 1,    read("standing"),  read("range"),      read("accumulation"),
+          read("above"), read("low"), read("occupancy"), read("components"), read("beside")};
 }
 
 Patch cut(const Patch& p, const PixelRect& r) {
   const auto x = static_cast<std::uint32_t>(r.x0 - 1 - p.x), y = static_cast<std::uint32_t>(r.y0 - 1 - p.y);
   const auto part = [&](const Image& image) { return cut(image, x, y, r.width() + 2, r.height() + 2); };
-  return {r.x0 - 1,      r.y0 - 1,    part(p.height),    part(p.range),     part(p.accumulation),
-          part(p.above), part(p.low), part(p.occupancy), part(p.components)};
+  return {r.x0 - 1,      r.y0 - 1,    part(p.height),    part(p.range),      part(p.accumulation),
+          part(p.above), part(p.low), part(p.occupancy), part(p.components), part(p.beside)};
 }
 
 }  // namespace ilot

@@ -24,7 +24,7 @@ struct PixelRect {
 // The layers of a rectangle and of one pixel around it.
 struct Patch {
   std::int64_t x = 0, y = 0;  // of its first pixel
-  Image height, range, accumulation, above, low, occupancy, components;
+  Image height, range, accumulation, above, low, occupancy, components, beside;
 };
 
 Patch load_patch(const TileLayers& layers, const PixelRect& r);

@@ -14,8 +14,8 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kBytesPerPixel = 80;  // memory to process a component
-constexpr std::uint32_t kBytesOfPatch = 36;  // per pixel of a tile: seven layers, numbers, and the halo around the tile
+constexpr std::uint32_t kBytesPerPixel = 84;  // memory to process a component
+constexpr std::uint32_t kBytesOfPatch = 40;  // per pixel of a tile: eight layers, numbers, and the halo around the tile
 // Pixels in the largest box of a component that is processed as a whole: as many as a tile has (655 m2 at 5 cm). The
 // largest component in our test clouds has 57,000.
 constexpr std::uint64_t kLargestBox = 1u << 18;
@@ -301,12 +301,13 @@ class CandidateFinder {
 
 const char* candidate_feature_name(std::size_t feature) {
   static constexpr const char* kOwn[] = {
-      "low share",   "ground share", "roughness",     "length",        "width",        "inner pass",
-      "outer pass",  "fill",         "lesser share",  "top step",      "mean step",    "joined share",
-      "rise",        "joined fill",  "joined length", "upright share", "evenness",     "free run",
-      "touch share", "joint share",  "box length",    "box width",     "box fill",     "high length",
-      "high width",  "high share",   "half share",    "ends height",   "sides height", "unevenness",
-      "foot length", "foot width",   "foot share",    "waist share",   "head share",   "solid share"};
+      "low share",     "ground share",  "roughness",   "length",      "width",          "inner pass",  "outer pass",
+      "fill",          "lesser share",  "top step",    "mean step",   "joined share",   "rise",        "joined fill",
+      "joined length", "upright share", "evenness",    "free run",    "touch share",    "joint share", "box length",
+      "box width",     "box fill",      "high length", "high width",  "high share",     "half share",  "ends height",
+      "sides height",  "unevenness",    "foot length", "foot width",  "foot share",     "waist share", "head share",
+      "solid share",   "wall distance", "wall mean",   "crown share", "overhang share", "edge ground", "edge standing",
+      "edge building", "points",        "pixel",       "root share",  "root length"};
   if (feature < kComponentFeatures) return feature_name(static_cast<ComponentFeature>(feature));
   return kOwn[feature - kComponentFeatures];
 }
@@ -315,7 +316,7 @@ std::vector<ObjectCandidate> find_object_candidates(const TileLayers& layers, co
                                                     const ObjectCandidateParams& params) {
   find_standing(layers, scale.pixels(params.seen_within));
   std::vector<ObjectCandidate> candidates = CandidateFinder(layers, scale, params).find();
-  layers.drop("standing");
+  for (const char* layer : {"standing", "beside"}) layers.drop(layer);
   return candidates;
 }
 

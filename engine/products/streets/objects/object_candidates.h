@@ -51,8 +51,20 @@ enum class CandidateFeature : std::uint8_t {
   waist_share,  // in the middle third
   head_share,   // in the highest third
   solid_share,  // share of the bins of its pixels up to its top that contain a point
+  // Of what is around it (structures_beside.h).
+  wall_distance,   // metres; from the nearest of its pixels to a cell of a building, as far as it is known
+  wall_mean,       // metres; mean of the same over its pixels
+  crown_share,     // share of its pixels below a crown
+  overhang_share,  // share of its pixels below an overhang
+  edge_ground,     // of the sides of its pixels on its edge: share beside ground that has a point
+  edge_standing,   // share beside something else that stands in its component
+  edge_building,   // share beside a building
+  seen_points,     // number of its points above the ground
+  pixel_size,      // metres
+  root_share,      // its share of the area of all that is joined with it in the end
+  root_length,     // metres; length of all of that
 };
-constexpr std::size_t kCandidateFeatures = kComponentFeatures + 36;
+constexpr std::size_t kCandidateFeatures = kComponentFeatures + 47;
 using CandidateFeatures = std::array<double, kCandidateFeatures>;
 const char* candidate_feature_name(std::size_t feature);
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/error.h"
 #include "engine/products/streets/classes/role_trees_text.h"
 #include "kernels/core/parallel.h"
@@ -120,6 +122,27 @@ TEST(ObjectModel, ProbabilitiesOfTreesAreThoseOfUnseenSamples) {
     stated += c.probability, right += c.label == s.label, ++count;
   }
   EXPECT_NEAR(stated / count, right / count, 0.15);
+}
+
+// A model may state other odds than its trees give: the class stays, and so do models that state what the trees give.
+TEST(ObjectModel, StatedOddsChangeProbabilitiesAlone) {
+  const auto samples = samples_of(60, 12);
+  ObjectTrainingParams params;
+  params.classes = ClassMethod::trees;
+  ObjectModel model;
+  train_classes(samples, params, model);
+  EXPECT_EQ(object_model_text(model).find("stated"), std::string::npos);
+  ObjectModel surer = model;
+  surer.stated = {-2, 0.5};
+  surer = parse_object_model(object_model_text(surer), "test");
+  for (const TrainingSample& s : samples) {
+    const CandidateClass as_trees = classify_candidate(model, s.features), c = classify_candidate(surer, s.features);
+    ASSERT_EQ(c.label, as_trees.label);
+    const double odds = as_trees.probability / (1 - as_trees.probability), stated = odds * odds * std::exp(-0.5);
+    if (as_trees.probability < 0.999) {
+      EXPECT_NEAR(c.probability, stated / (1 + stated), 1e-6);
+    }
+  }
 }
 
 // Other classes may be learnt for the roles that a model has.

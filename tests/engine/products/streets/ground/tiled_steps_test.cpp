@@ -75,7 +75,7 @@ TEST_P(TiledSteps, AreThoseOfTheWhole) {
   EXPECT_EQ(memory.whole("height").values, artefacts.height.values);
 
   const Image one = filled_image(range.width, range.height, 1);
-  for (const char* layer : {"accumulation", "above", "low", "occupancy"}) memory.put(layer, one);
+  for (const char* layer : {"accumulation", "above", "low", "occupancy", "beside"}) memory.put(layer, one);
   const std::vector<ObjectCandidate> candidates = find_object_candidates(memory.layers, {});
   const Image found = memory.whole("candidates");
   // The same parts, however they are numbered: each label of the one is one label of the other.

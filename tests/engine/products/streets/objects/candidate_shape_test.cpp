@@ -21,7 +21,7 @@ ObjectCandidate shaped(const FormAt& at) {
   Patch patch;
   patch.x = 100, patch.y = -40;
   for (Image* image : {&patch.height, &patch.range, &patch.accumulation, &patch.above, &patch.low, &patch.occupancy,
-                       &patch.components})
+                       &patch.components, &patch.beside})
     *image = filled_image(kSide, kSide, 0);
   ComponentImages images{patch, filled_image(kSide, kSide, kNoHeight), filled_image(kSide, kSide, 0)};
   PixelLabels labels{kSide, kSide, 1, std::vector<std::uint32_t>(kSide * kSide, 0)};

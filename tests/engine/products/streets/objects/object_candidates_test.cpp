@@ -21,7 +21,7 @@ std::vector<ObjectCandidate> candidates_of(const Image& height, const Image& poi
   memory.put("height", height);
   memory.put("range", filled_image(height.width, height.height, 1));
   for (const char* layer : {"accumulation", "above", "low"}) memory.put(layer, points);
-  memory.put("occupancy", filled_image(height.width, height.height, 0));
+  for (const char* layer : {"occupancy", "beside"}) memory.put(layer, filled_image(height.width, height.height, 0));
   return find_object_candidates(memory.layers, {});
 }
 
