@@ -4,12 +4,14 @@
 #include <cpl_conv.h>
 #include <cpl_error.h>
 #include <cpl_vsi.h>
+#include <cpl_vsi_error.h>
 
 #include <array>
 #include <mutex>
 #include <utility>
 
 #include "engine/error.h"
+#include "engine/formats/file.h"
 
 namespace ilot {
 namespace {
@@ -53,6 +55,12 @@ bool read_ahead(VSILFILE* file, std::uint64_t offset, std::span<std::byte> out) 
   return VSIFSeekL(file, offset, SEEK_SET) == 0 && VSIFReadL(out.data(), 1, out.size(), file) == out.size();
 }
 
+void use_gdal() {
+  static std::once_flag once;
+  std::call_once(once, set_defaults);
+  CPLErrorReset();
+}
+
 [[noreturn]] void fail(const std::string& name, const std::string& what) {
   const std::string reason = CPLGetLastErrorMsg();
   throw Error(name + ": " + what + (reason.empty() ? "" : ": " + reason) +
@@ -71,10 +79,8 @@ bool is_remote(const std::filesystem::path& path) {
 
 RemoteFile::RemoteFile(const std::filesystem::path& path)
     : name_(path.string()), virtual_name_(virtual_name_of(name_)) {
-  static std::once_flag once;
-  std::call_once(once, set_defaults);
   const CPLErrorHandlerPusher silent(CPLQuietErrorHandler);
-  CPLErrorReset();
+  use_gdal();
   VSIStatBufL status{};
   if (VSIStatExL(virtual_name_.c_str(), &status,
                  VSI_STAT_EXISTS_FLAG | VSI_STAT_NATURE_FLAG | VSI_STAT_SIZE_FLAG | VSI_STAT_SET_ERROR_FLAG) != 0 ||
@@ -115,6 +121,40 @@ void RemoteFile::read_at(std::uint64_t offset, std::span<std::byte> out) const {
   const bool whole = (out.size() >= kLarge && read_exactly(file, offset, out)) || read_ahead(file, offset, out);
   give_back(handle);
   if (!whole) fail(name_, "cannot be read at byte " + std::to_string(offset));
+}
+
+bool remote_exists(const std::filesystem::path& path) {
+  const CPLErrorHandlerPusher silent(CPLQuietErrorHandler);
+  use_gdal();
+  VSIErrorReset();
+  VSIStatBufL status{};
+  if (VSIStatExL(virtual_name_of(path.string()).c_str(), &status,
+                 VSI_STAT_EXISTS_FLAG | VSI_STAT_NATURE_FLAG | VSI_STAT_SET_ERROR_FLAG) == 0)
+    return !VSI_ISDIR(status.st_mode);
+  const std::string reason = VSIGetLastErrorMsg();
+  if (VSIGetLastErrorNo() == VSIE_AWSObjectNotFound || reason.ends_with("404")) return false;
+  throw Error(path.string() + ": cannot be found: " + reason + "; check the address, the rights and the network");
+}
+
+bool is_writable_remote(const std::filesystem::path& path) {
+  return is_remote(path) && !virtual_name_of(path.string()).starts_with("/vsicurl/");
+}
+
+void put_remote(const std::filesystem::path& from, const std::filesystem::path& to) {
+  const CPLErrorHandlerPusher silent(CPLQuietErrorHandler);
+  use_gdal();
+  const InputFile file(from);
+  VSILFILE* const out = VSIFOpenL(virtual_name_of(to.string()).c_str(), "wb");
+  if (out == nullptr) fail(to.string(), "cannot be written");
+  std::vector<std::byte> bytes(std::size_t{1} << 20);
+  bool taken = true;
+  for (std::uint64_t at = 0; taken && at < file.size();) {
+    const std::size_t got = file.read_at(at, bytes);
+    taken = got > 0 && VSIFWriteL(bytes.data(), 1, got, out) == got;
+    at += got;
+  }
+  taken = VSIFCloseL(out) == 0 && taken && CPLGetLastErrorType() != CE_Failure;
+  if (!taken) fail(to.string(), "cannot be written");
 }
 
 }  // namespace ilot

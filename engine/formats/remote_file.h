@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files on web servers and in object stores, read by ranges through GDAL's virtual file systems. GDAL's settings hold
-// for them, as environment variables (AWS_ACCESS_KEY_ID, GDAL_HTTP_TIMEOUT ...).
+// Files on web servers and in object stores, read by ranges and written whole through GDAL's virtual file systems.
+// GDAL's settings hold for them, as environment variables (AWS_ACCESS_KEY_ID, GDAL_HTTP_TIMEOUT ...).
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -40,5 +40,15 @@ class RemoteFile {
   mutable std::mutex mutex_;
   mutable std::vector<void*> idle_;  // open handles that no thread uses
 };
+
+// Whether there is such a file. Throws Error where the server does not say so.
+bool remote_exists(const std::filesystem::path& path);
+
+// Whether files can be written there: to object stores, not to plain web servers.
+bool is_writable_remote(const std::filesystem::path& path);
+
+// Writes a file of this machine to a remote name, where it appears whole or not at all. Throws Error when the store
+// does not take it.
+void put_remote(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace ilot

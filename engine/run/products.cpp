@@ -33,9 +33,10 @@ std::vector<const Product*> products_to_make(const std::vector<std::string>& ask
   return all;
 }
 
-void make_all(std::span<const Product* const> products, ProductRun& run) {
+void make_all(std::span<const Product* const> products, ProductRun& run,
+              const std::function<void(const Product&)>& make) {
   run.outlines_wanted = std::ranges::any_of(products, &Product::found_among_planes);
-  for (const Product* product : products) product->make(run);
+  for (const Product* product : products) make ? make(*product) : product->make(run);
 }
 
 std::vector<ProductLabels> labels_of(std::span<const Product* const> made, ProductRun& run) {

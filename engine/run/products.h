@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The list of products. It is the only place that names them all.
 #pragma once
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,8 +16,9 @@ std::span<const Product* const> all_products();
 // Returns the products that are asked for and the planes that they need, in the order in which they are made.
 std::vector<const Product*> products_to_make(const std::vector<std::string>& asked);
 
-// Makes these products in their order. Sets run.outlines_wanted.
-void make_all(std::span<const Product* const> products, ProductRun& run);
+// Makes these products in their order, with `make` where it is given. Sets run.outlines_wanted.
+void make_all(std::span<const Product* const> products, ProductRun& run,
+              const std::function<void(const Product&)>& make = {});
 
 // What the products that were made say of points, in the order in which their classes count. Drops run.planes.
 std::vector<ProductLabels> labels_of(std::span<const Product* const> made, ProductRun& run);

@@ -11,6 +11,7 @@
 #include "engine/labels/row_labels.h"
 #include "engine/products/facades/facade_labels.h"
 #include "engine/products/planes/plane_labels.h"
+#include "engine/products/roofs/roof_labels.h"
 #include "engine/products/streets/street_labels.h"
 #include "engine/scale/plan_products.h"
 #include "engine/whole_file.h"
@@ -26,8 +27,8 @@ constexpr const char* kPlanes = "planes.list";
 
 bool is_needed(const fs::path& file) {
   const std::string column = file.extension().string();
-  constexpr std::array kNeeded{&columns::kRowOrder.info, &columns::kPlaneRows.info, &columns::kFacadeRows.info,
-                               &columns::kStreetRows.info};
+  constexpr std::array kNeeded{&columns::kRowOrder.info, &columns::kPlaneRows.info, &columns::kRoofRows.info,
+                               &columns::kFacadeRows.info, &columns::kStreetRows.info};
   return std::ranges::any_of(kNeeded, [&](const ColumnInfo* info) { return column == std::string(".") + info->name; });
 }
 
@@ -58,6 +59,7 @@ std::vector<ProductLabels> kept_labels(const Plan& plan, const fs::path& folder,
   const auto asked = [&](const char* product) { return std::ranges::count(plan.products, product) > 0; };
   std::vector<ProductLabels> labels;
   if (searches_planes(plan)) labels.push_back(kept_plane_labels(plan, folder, shapes));
+  if (makes_roofs(plan)) labels.push_back(roof_labels(searches_planes(plan)));
   if (asked("facades")) labels.push_back(facade_labels());
   if (asked("streets")) labels.push_back(street_labels());
   return labels;

@@ -16,7 +16,6 @@
 #include "engine/pass/kept_columns.h"
 #include "engine/pass/pass.h"
 #include "engine/pass/resident.h"
-#include "engine/products/planes/cells/cells.h"
 #include "engine/products/roofs/footprint_outcome.h"
 #include "engine/products/roofs/footprint_plan.h"
 #include "engine/products/roofs/make_roofs.h"
@@ -28,11 +27,11 @@
 #include "engine/run/inputs/input_crs.h"
 #include "engine/run/inputs/open_inputs.h"
 #include "engine/run/memory_budget.h"
+#include "engine/run/products.h"
 #include "engine/run/run_context.h"
 #include "engine/run/run_request.h"
-#include "engine/scale/area_key.h"
 #include "engine/scale/chunk_boxes.h"
-#include "engine/scale/parts/cell_part.h"
+#include "engine/scale/cut_plan.h"
 #include "engine/scale/plan.h"
 #include "engine/scale/plan_areas.h"
 #include "engine/scale/plan_products.h"
@@ -48,11 +47,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostAreas = 100'000;  // Choice: plan.json has some 400 bytes for each
-constexpr std::uint64_t kLeastMemory = 96u << 20;
-// Choice: a house of two levels; the estimate of disk follows from it, no result does.
-constexpr std::uint64_t kPartBytesOfSite = 2000;
-
 void check_folder(const PlanOptions& options) {
   const fs::path& folder = options.run.output;
   if (fs::exists(folder / kPlanFile))
@@ -67,6 +61,14 @@ void check_folder(const PlanOptions& options) {
       throw Error(folder.string() + ": contains something else than an unfinished plan; give another -o",
                   ExitCode::usage);
   }
+}
+
+void check_parts(const PlanOptions& options) {
+  if (options.parts.empty()) return;
+  if (!is_writable_remote(options.parts))
+    throw Error("--parts " + options.parts + ": must be of an object store, s3://, gs:// or az://", ExitCode::usage);
+  if (!options.update.empty() && read_plan(options.update).parts == options.parts)
+    throw Error("--parts " + options.parts + ": has the parts of the other plan; give another", ExitCode::usage);
 }
 
 // A task opens a part of the inputs and no footprints, and must come to the same CRS.
@@ -104,7 +106,8 @@ IndexResult index_all(const RunOptions& options, const RunInputs& inputs, const 
   for (const int code : options.settings.classes.noise) p.filter.noise.set(static_cast<std::size_t>(code));
   p.finest_step = options.settings.index.finest_step;
   p.keep_strays = options.settings.index.keep_strays;
-  if (options.products[0] == "roofs") p.classes = ClassColumns::written;
+  if (std::ranges::any_of(products_to_make(options.products), &Product::reads_classes))
+    p.classes = ClassColumns::written;
   p.block_points = p.run_points = block_points;
   InputLattice lattice = common_lattice(inputs.readers, inputs.crs.metres_per_unit, p.finest_step);
   for (;;) {
@@ -129,34 +132,6 @@ void freeze_index(const IndexResult& index, const RunInputs& inputs, const PassC
     if (index.rejected[i] > 0) plan.rejected[kRejectionNames[i]] = index.rejected[i];
 }
 
-// What a task of this area will need. Memory: what a run of few threads needs, and the sites of the area.
-void estimate_area(const PointMap& map, std::uint64_t neighbours, const Plan& plan, PlanArea& area) {
-  constexpr std::uint64_t kBytesOfSiteInMemory = 2000;  // Choice: an outline of some ten corners, its record and map
-  area.points = map.in(area.read);
-  std::uint64_t rows = 0;
-  for (std::uint32_t i = 0; i < plan.inputs.size(); ++i) {
-    const std::uint64_t before = rows;
-    for (const RowRange& range : rows_that_meet(map.inputs[i], area.read)) rows += range.end - range.first;
-    if (rows == before) continue;
-    area.inputs.push_back(i);
-    const double share = static_cast<double>(rows - before) / static_cast<double>(plan.inputs[i].record.points);
-    area.input_bytes += static_cast<std::uint64_t>(share * static_cast<double>(plan.inputs[i].record.bytes));
-  }
-  constexpr double kMicroseconds = 1e-6, kReading = 0.5;  // as in run_estimate.cpp, for each row that is decoded
-  area.processor_seconds = kMicroseconds * (static_cast<double>(rows) * kReading +
-                                            static_cast<double>(area.points) * microseconds_of_point(plan));
-  area.memory_bytes = kLeastMemory + (area.sites + neighbours) * kBytesOfSiteInMemory;
-  area.part_bytes =
-      is_of_roofs(plan) ? area.sites * kPartBytesOfSite : map.in(area.own) * part_bytes_of_point(plan, area);
-}
-
-void check_count(std::size_t areas) {
-  if (areas <= kMostAreas) return;
-  throw Error("--area-size: gives " + grouped(areas) + " areas, at most " + grouped(kMostAreas) +
-                  " are possible; give a larger one",
-              ExitCode::usage);
-}
-
 // The map of all points; leaves in the folder where the chunks of the inputs are.
 PointMap mapped(const fs::path& folder, const RunInputs& inputs, const IndexResult& index, const PassContext& context,
                 Plan& plan) {
@@ -170,60 +145,12 @@ PointMap mapped(const fs::path& folder, const RunInputs& inputs, const IndexResu
   return map;
 }
 
-void cut(const PlanOptions& options, const IndexResult& index, const PointMap& map, std::span<const PlannedSite> sites,
-         const PassContext& context, Plan& plan) {
-  const fs::path& folder = options.run.output;
-  SitePointsParams points;
-  points.margin = plan.settings.roofs.margin;
-  const double roles = plan.roofs.by_shape ? reach_of_found_roles(plan.settings) : 0;
-  plan.halo = farthest_points(points) + roles;
-  plan.halo_why = fmt::format("ground is searched up to {:.0f} m around an outline", farthest_points(points));
-  if (roles > 0)
-    plan.halo_why +=
-        fmt::format("; what is ground and building is found by shape, from points up to {:.1f} m away", roles);
-  const double step = index.store.unit() * context.metres_per_unit;
-  plan.area_size = options.area_size > 0 ? options.area_size : suitable_area_size(map, step, plan.halo);
-  const std::vector<AreaSites> areas = cut_areas(sites, step, {plan.area_size, plan.halo, reach_of(points)});
-  check_count(areas.size());
-  SiteMarks marks{plan.roofs.extent, {}};
-  if (plan.roofs.footprints) marks.sampled = sample_of_sites(sites.size());
-  fs::remove_all(folder / kSitesFolder);
-  fs::create_directories(folder / kSitesFolder);
-  for (const AreaSites& a : areas) {
-    plan.areas.push_back(a.area);
-    PlanArea& area = plan.areas.back();
-    estimate_area(map, a.neighbours.size(), plan, area);
-    const fs::path file = folder / kSitesFolder / std::to_string(plan.areas.size());
-    area.key = area_key(plan, area, write_sites(file, a, sites, marks, area));
-  }
-}
-
-// Squares of whole cells, of the side that is nearest to the one that is asked for.
-void cut_cells(const PlanOptions& options, const IndexResult& index, const PointMap& map, const PassContext& context,
-               Plan& plan) {
-  const double step = index.store.unit() * context.metres_per_unit;
-  const bool planes = searches_planes(plan);
-  const std::int64_t edge = largest_cell(step), halo = planes ? halo_of_cells(plan.settings, step) : 0;
-  const double cell = static_cast<double>(edge) * step;
-  plan.halo = static_cast<double>(halo) * step;
-  plan.halo_why = planes ? "margins of cells, and the neighbours from which normals in them follow"
-                         : "points alone are read and sorted";
-  const double asked = options.area_size > 0 ? options.area_size : suitable_area_size(map, step, plan.halo);
-  const std::int64_t cells = std::max<std::int64_t>(1, std::llround(asked / cell));
-  plan.area_size = static_cast<double>(cells) * cell;
-  plan.areas = cut_cell_areas(map, {edge, cells, halo});
-  check_count(plan.areas.size());
-  for (PlanArea& area : plan.areas) {
-    estimate_area(map, 0, plan, area);
-    area.key = area_key(plan, area, "");
-  }
-}
-
-void freeze_roofs(const PlanOptions& options, const RunInputs& inputs, const IndexResult& index, const PointMap& map,
-                  std::vector<PlannedSite> given, const PassContext& context, Progress& progress, RunRecord& record,
-                  Plan& plan) {
+// Returns the sites.
+std::vector<PlannedSite> freeze_roofs(const PlanOptions& options, const RunInputs& inputs, const IndexResult& index,
+                                      std::vector<PlannedSite> given, const PassContext& context, Progress& progress,
+                                      RunRecord& record, Plan& plan) {
   const RunOptions& run = options.run;
-  const std::vector<PlannedSite> sites = find_sites(options, index, std::move(given), context, progress, record, plan);
+  std::vector<PlannedSite> sites = find_sites(options, index, std::move(given), context, progress, record, plan);
   {
     const RoofSetup setup(index.store, sites, run.settings, inputs.crs, context);
     plan.roofs.frame = {setup.file.city_json.origin, setup.file.city_json.extent, setup.file.further};
@@ -232,7 +159,7 @@ void freeze_roofs(const PlanOptions& options, const RunInputs& inputs, const Ind
   plan.roofs.footprints = record.footprints;
   plan.roofs.extent = extent_of_points(index.store, context);
   plan.roofs.sites = sites.size();
-  cut(options, index, map, sites, context, plan);
+  return sites;
 }
 
 Plan begun(const PlanOptions& options, const RunInputs& inputs, const RunRecord& record) {
@@ -240,6 +167,8 @@ Plan begun(const PlanOptions& options, const RunInputs& inputs, const RunRecord&
   plan.version = version();
   plan.git_hash = git_hash();
   plan.products = options.run.products;
+  plan.parts = options.parts;
+  plan.labels = options.labels && !carries_points(plan);
   plan.settings = options.run.settings;
   plan.crs_option = options.run.crs;
   plan.dialect = options.run.dialect;
@@ -276,10 +205,9 @@ void fill_folder(const PlanOptions& options, const RunInputs& inputs, std::vecto
   if (index.store.points() == 0) throw Error("none of the points of the inputs can be used; ilot info says why");
   freeze_index(index, inputs, context, plan);
   const PointMap map = mapped(folder, inputs, index, context, plan);
-  if (is_of_roofs(plan))
-    freeze_roofs(options, inputs, index, map, std::move(given), context, progress, record, plan);
-  else
-    cut_cells(options, index, map, context, plan);
+  if (makes_roofs(plan))
+    given = freeze_roofs(options, inputs, index, std::move(given), context, progress, record, plan);
+  cut_plan(options, index.store.unit() * context.metres_per_unit, map, given, plan);
   plan.skipped = record.skipped;
   plan.warnings = record.warnings;
   fs::remove_all(store);
@@ -305,8 +233,9 @@ int make_plan(const PlanOptions& options, Progress& progress) {
   const RunOptions& run = options.run;
   with_threads(affordable_threads(run.memory_bytes, run.threads > 0 ? run.threads : hardware_threads()), [&] {
     progress.run_start("ilot plan");
-    check_products(run);
+    check_products(options);
     check_folder(options);
+    check_parts(options);
     const FolderLock lock(run.output, "or give another -o");
     RunRecord record;
     const RunInputs inputs = open_inputs(run, progress, record);

@@ -12,6 +12,8 @@ struct PlanOptions {
   double area_size = 0;              // metres; 0: chosen from the points
   std::filesystem::path statistics;  // a plan whose values of `auto` are kept; none
   std::filesystem::path update;      // a plan whose values and valid parts are kept, and that says all else; none
+  std::string parts;                 // URL of an object store for the parts; empty: the folder of the plan
+  bool labels = false;               // parts of roofs alone are to have what labelled clouds need; others have it
 };
 
 // The options of a plan that is to replace another: all that is not given is as in the other plan.

@@ -23,7 +23,7 @@
 namespace ilot {
 
 constexpr const char* kPlanFile = "plan.json";
-constexpr const char* kSitesFolder = "sites";  // sites/N: the sites of area N and their neighbours
+constexpr const char* kSitesFolder = "sites";  // sites/N: the sites of area N and their neighbours; of roofs
 constexpr const char* kPartsFolder = "parts";  // parts/N: the result of area N
 
 // An input as it was when the plan was made.
@@ -47,11 +47,11 @@ struct PlanRoofs {
   std::optional<ClustersRecord> clusters;
 };
 
-// An area owns the sites whose first corner lies in its square, or the cells of planes whose corner does. Areas have
+// An area owns the sites whose first corner lies in its square, and the cells of planes whose corner does. Areas have
 // numbers from 1, their place in the list.
 struct PlanArea {
   std::int64_t row = 0, column = 0;   // of the square, counted from the origin of the coordinates
-  IndexBox own = IndexBox::none();    // whole cells; none in a plan of roofs
+  IndexBox own = IndexBox::none();    // whole cells, whose points the part has; none: it has no points
   IndexBox read = IndexBox::none();   // points of this box are read; empty: none
   std::uint64_t sites = 0;            // that it owns
   std::vector<std::uint32_t> inputs;  // places in the list of inputs, ascending
@@ -67,6 +67,7 @@ struct PlanArea {
 struct Plan {
   std::string version, git_hash;
   std::vector<std::string> products;
+  bool labels = false;  // parts of roofs alone have the points too, so that their clouds can be labelled
   Settings settings;
   std::string crs_option;  // --crs
   std::optional<TextDialect> dialect;
@@ -82,10 +83,11 @@ struct Plan {
   std::vector<ChosenRecord> chosen;
   std::vector<SkippedRecord> skipped;
   std::vector<std::string> warnings;
+  std::string parts;                    // URL of an object store that has the parts; empty: the folder of the plan
   std::filesystem::path stations_file;  // --stations, absolute
   std::vector<Station> stations;        // RunInputs::stations, without their names
-  PlanRoofs roofs;                      // of a plan of roofs
-  double halo = 0;                      // metres around the outlines of an area's sites
+  PlanRoofs roofs;                      // where roofs are made
+  double halo = 0;                      // metres around the outlines of an area's sites or around its cells, the larger
   std::string halo_why;
   double area_size = 0;  // metres
   std::vector<PlanArea> areas;

@@ -121,9 +121,13 @@ std::vector<PlanArea> cut_cell_areas(const PointMap& map, const CellAreaParams& 
   return areas;
 }
 
-std::vector<AreaSites> cut_areas(std::span<const PlannedSite> sites, double step_metres, const AreaParams& params) {
-  const std::int64_t size = std::max<std::int64_t>(1, std::llround(params.size * kMillimetresPerMetre));
+std::vector<AreaSites> cut_areas(std::span<const PlannedSite> sites, std::vector<PlanArea> cells, double step_metres,
+                                 const AreaParams& params) {
+  const auto number = [&](std::int64_t mm) {  // of the squares; their side may be no whole number of millimetres
+    return static_cast<std::int64_t>(std::floor(static_cast<double>(mm) / (params.size * kMillimetresPerMetre)));
+  };
   std::map<std::pair<std::int64_t, std::int64_t>, AreaSites> areas;
+  for (PlanArea& area : cells) areas[{area.row, area.column}].area = std::move(area);
   std::vector<std::size_t> nowhere;
   for (std::size_t i = 0; i < sites.size(); ++i) {
     const PlacedOutline& o = sites[i].outline;
@@ -132,8 +136,7 @@ std::vector<AreaSites> cut_areas(std::span<const PlannedSite> sites, double step
       continue;
     }
     const Point2 first = o.polygon[0][0];
-    const std::pair square{square_of(o.y + first.y, size), square_of(o.x + first.x, size)};
-    areas[square].own.push_back(i);
+    areas[{number(o.y + first.y), number(o.x + first.x)}].own.push_back(i);
   }
   if (areas.empty()) areas[{0, 0}];  // so that there is a task, whose part says that nothing was found
   auto& first = areas.begin()->second.own;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cuts the sites of a run into areas with one owner each.
+// Cuts the points and the sites of a run into areas with one owner each.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -43,7 +43,7 @@ struct AreaParams {
   double reach = 0;  // of outlines around them
 };
 
-// What areas of planes need to be cut, in lattice steps.
+// What areas of cells need to be cut, in lattice steps.
 struct CellAreaParams {
   std::int64_t cell = 1;   // edge of the largest cells
   std::int64_t cells = 1;  // of these along a side of an area
@@ -54,8 +54,10 @@ struct CellAreaParams {
 // edge of a cell, so each cell of a run lies in one of them.
 std::vector<PlanArea> cut_cell_areas(const PointMap& map, const CellAreaParams& params);
 
-// Returns the areas that own a site, ordered by row and column. A site without an outline belongs to the first. The
-// result is a function of the sites alone; `step_metres` is the lattice step.
-std::vector<AreaSites> cut_areas(std::span<const PlannedSite> sites, double step_metres, const AreaParams& params);
+// Gives the sites to the areas of cells, of the same size, and to further ones where sites lie in none of them. Returns
+// all of these, ordered by row and column; one where there are neither cells nor sites. A site without an outline
+// belongs to the first. The result is a function of the sites and the cells alone; `step_metres` is the lattice step.
+std::vector<AreaSites> cut_areas(std::span<const PlannedSite> sites, std::vector<PlanArea> cells, double step_metres,
+                                 const AreaParams& params);
 
 }  // namespace ilot

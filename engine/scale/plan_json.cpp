@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFormat = "ilot plan 4";
+constexpr const char* kFormat = "ilot plan 5";
 
 // A number of plan.json that the plan cannot have.
 struct WrongNumber {};
@@ -266,6 +266,7 @@ Plan plan_of(const Json& j) {
   p.version = j.at("version").get<std::string>();
   p.git_hash = j.at("git_hash").get<std::string>();
   p.products = j.at("products").get<std::vector<std::string>>();
+  p.labels = j.at("labels").get<bool>();
   for (const auto& [key, value] : j.at("parameters").items())
     apply_assignment(p.settings, key + "=" + (value.is_string() ? value.get<std::string>() : value.dump()));
   p.crs_option = j.at("crs_option").get<std::string>();
@@ -283,6 +284,7 @@ Plan plan_of(const Json& j) {
   p.points = j.at("points").get<std::uint64_t>();
   p.rejected = j.at("rejected").get<std::map<std::string, std::uint64_t>>();
   read_notes(j.at("notes"), p);
+  p.parts = j.at("parts").get<std::string>();
   read_stations(j.at("stations"), p);
   if (j.contains("roofs")) p.roofs = roofs_of(j["roofs"]);
   p.halo = j.at("halo").at("metres").get<double>();
@@ -313,6 +315,7 @@ Json task_json(const Plan& p) {
   return {{"version", p.version},
           {"git_hash", p.git_hash},
           {"products", p.products},
+          {"labels", p.labels},
           {"parameters", Json::parse(settings_json(p.settings))},
           {"parameters_hash", hash},
           {"crs_option", p.crs_option},
@@ -340,8 +343,9 @@ std::string plan_text(const Plan& p) {
   j["halo"] = {{"metres", p.halo}, {"why", p.halo_why}};
   j["area_size_m"] = p.area_size;
   j["areas"] = areas;
+  j["parts"] = p.parts;
   j["stations"] = stations_json(p);
-  if (is_of_roofs(p)) j["roofs"] = roofs_json(p.roofs);
+  if (makes_roofs(p)) j["roofs"] = roofs_json(p.roofs);
   return j.dump(1) + "\n";
 }
 

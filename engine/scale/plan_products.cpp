@@ -41,17 +41,20 @@ void check_planes(const RunOptions& run) {
         ExitCode::usage);
 }
 
+bool is_of_roofs_alone(const std::vector<std::string>& products) {
+  return products.size() == 1 && asks_for(products, roofs_product());
+}
+
 }  // namespace
 
-void check_products(const RunOptions& run) {
+void check_products(const PlanOptions& options) {
+  const RunOptions& run = options.run;
   const bool roofs = asks_for(run.products, roofs_product());
-  if (roofs && run.products.size() != 1)
-    throw Error("--products: roofs are made in other areas than the other products; make one plan for roofs alone",
-                ExitCode::usage);
   if (run.settings.roofs.dtm)
     throw Error("roofs.dtm: a plan makes no terrain model; make it with ilot run", ExitCode::usage);
-  if (roofs && run.settings.classes.write)
-    throw Error("classes.write: a plan of roofs writes no clouds; leave it out", ExitCode::usage);
+  if (is_of_roofs_alone(run.products) && run.settings.classes.write && !options.labels)
+    throw Error("classes.write: a plan of roofs alone writes no clouds; give --labels or leave it out",
+                ExitCode::usage);
   if (!roofs && !run.footprints.empty())
     throw Error("--footprints " + run.footprints.string() + ": only the product roofs reads it; leave it out",
                 ExitCode::usage);
@@ -61,8 +64,16 @@ void check_products(const RunOptions& run) {
   check_planes(run);
 }
 
-bool is_of_roofs(const Plan& plan) {
+bool makes_roofs(const Plan& plan) {
   return asks_for(plan.products, roofs_product());
+}
+
+bool carries_points(const Plan& plan) {
+  return plan.labels || !is_of_roofs_alone(plan.products);
+}
+
+bool carries_roof_labels(const Plan& plan) {
+  return makes_roofs(plan) && carries_points(plan);
 }
 
 bool searches_planes(const Plan& plan) {
@@ -94,19 +105,23 @@ bool carries_stations(const Plan& plan, const PlanArea& area) {
 std::uint64_t part_bytes_of_point(const Plan& plan, const PlanArea& area) {
   // Derived: code and place in the inputs; normal and label where planes are searched, and little for the planes.
   constexpr std::uint64_t kOfPoint = 16, kOfPlanes = 12;
-  return kOfPoint + (searches_planes(plan) ? kOfPlanes : 0) + (carries_colours(plan, area) ? sizeof(StoredColour) : 0) +
+  // Choice: the role, and a label of 20 bytes for one point in four.
+  constexpr std::uint64_t kOfRoofs = 6;
+  return kOfPoint + (searches_planes(plan) ? kOfPlanes : 0) + (carries_roof_labels(plan) ? kOfRoofs : 0) +
+         (carries_colours(plan, area) ? sizeof(StoredColour) : 0) +
          (carries_stations(plan, area) ? sizeof(StationNumber) : 0);
 }
 
 double microseconds_of_point(const Plan& plan) {
-  if (is_of_roofs(plan)) return roofs_product().cost.microseconds;
-  return searches_planes(plan) ? planes_product().cost.microseconds : 0;
+  return (makes_roofs(plan) ? roofs_product().cost.microseconds : 0) +
+         (searches_planes(plan) ? planes_product().cost.microseconds : 0);
 }
 
 std::string what_is_made(const Plan& plan) {
-  if (is_of_roofs(plan)) return counted(plan.roofs.sites, "building");
   std::string text;
-  for (const std::string& product : plan.products) text += (text.empty() ? "" : ", ") + product;
+  for (const std::string& product : plan.products)
+    text += (text.empty() ? "" : ", ") +
+            (product == roofs_product().name ? counted(plan.roofs.sites, "building") : product);
   return text;
 }
 

@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the products of a plan need of its tasks and its merge. There are plans of two kinds. In a plan of roofs each
-// building is made whole by the task of its area. In all others the tasks do what depends on points near by, and leave
-// the points; the merge makes one store of them and goes on with the functions of a run.
+// What the products of a plan need of its tasks and its merge. Each building is made whole by the task of its area.
+// For all other products, and for labelled clouds of roofs, the tasks do what depends on points near by, and leave the
+// points; the merge makes one store of them and goes on with the functions of a run.
 #pragma once
 #include <string>
 #include <vector>
 
-#include "engine/run/options.h"
+#include "engine/scale/make_plan.h"
 #include "engine/scale/plan.h"
 
 namespace ilot {
 
 // Throws Error with ExitCode::usage where a plan cannot promise the bytes of one run.
-void check_products(const RunOptions& run);
+void check_products(const PlanOptions& options);
 
-bool is_of_roofs(const Plan& plan);
+bool makes_roofs(const Plan& plan);
+
+// Whether parts have points: where anything but the models of roofs is made.
+bool carries_points(const Plan& plan);
+
+// Whether parts have what labels of roofs need: the role of each point, and the labels that buildings give.
+bool carries_roof_labels(const Plan& plan);
 
 // Whether the tasks search planes in cells, and with which settings.
 bool searches_planes(const Plan& plan);
@@ -34,7 +40,7 @@ std::uint64_t part_bytes_of_point(const Plan& plan, const PlanArea& area);
 // The microseconds of one processor that a task needs for each point, beside reading.
 double microseconds_of_point(const Plan& plan);
 
-// What the plan is of, for people: "planes, facades", or "12 buildings".
+// What the plan is of, for people: "planes, facades", or "12 buildings, streets".
 std::string what_is_made(const Plan& plan);
 
 }  // namespace ilot

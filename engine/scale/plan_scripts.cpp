@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <sstream>
+#include <utility>
 
 #include "engine/error.h"
 #include "engine/scale/plan.h"
@@ -15,7 +16,8 @@ namespace {
 constexpr std::array<const char*, 5> kKinds{"make", "slurm", "snakemake", "dask", "k8s"};
 
 // In all scripts @PLAN@ is the folder, @N@ the number of areas, @I@ that of inputs, @M@ the memory of a task in MiB.
-// Lines that begin with @C@ are for plans whose clouds can be labelled, those with @R@ for the others.
+// Lines that begin with @C@ are for plans whose clouds can be labelled, those with @R@ for the others; @U@ for parts in
+// an object store, where empty files in PLAN/parts say which are there, @L@ for the others.
 constexpr const char* kMake = R"(# make -j 8 -f THIS OUT=out
 @C@# make -j 8 -f THIS OUT=out clouds: labelled clouds too
 ILOT ?= ilot
@@ -30,7 +32,8 @@ $(OUT)/run.json: $(patsubst %,$(PLAN)/parts/%,$(shell seq 1 @N@))
 @C@	  case $$code in 75) sleep 1;; *) exit $$code;; esac; done; exit 75
 $(PLAN)/parts/%: $(PLAN)/plan.json
 	for try in 1 2 3; do $(ILOT) task $(PLAN) $* --threads 1 -q; code=$$?; \
-	  case $$code in 0|3) exit 0;; 75) sleep 1;; *) exit $$code;; esac; done; exit 75
+@L@	  case $$code in 0|3) exit 0;; 75) sleep 1;; *) exit $$code;; esac; done; exit 75
+@U@	  case $$code in 0|3) touch $@; exit 0;; 75) sleep 1;; *) exit $$code;; esac; done; exit 75
 )";
 
 constexpr const char* kSlurm = R"(#!/bin/sh
@@ -63,7 +66,8 @@ rule merge:
 @C@    shell: "{ILOT} task {PLAN} label {wildcards.n} -o {OUT} --threads 1 -q"
 rule task:
     output: PLAN + "/parts/{n}"
-    shell: "{ILOT} task {PLAN} {wildcards.n} --threads 1 -q || test $? -eq 3"
+@L@    shell: "{ILOT} task {PLAN} {wildcards.n} --threads 1 -q || test $? -eq 3"
+@U@    shell: "({ILOT} task {PLAN} {wildcards.n} --threads 1 -q || test $? -eq 3) && touch {output}"
 )";
 
 constexpr const char* kDask = R"(#!/usr/bin/env python3
@@ -122,13 +126,18 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
 }
 
 // Keeps the lines that belong to the plan, without their marks.
-std::string lines_for(const std::string& text, bool labels) {
+std::string lines_for(const std::string& text, const Plan& plan) {
+  const bool labels = carries_points(plan), remote = !plan.parts.empty();
+  const std::array<std::pair<const char*, bool>, 4> marks{
+      {{"@C@", labels}, {"@R@", !labels}, {"@U@", remote}, {"@L@", !remote}}};
   std::string kept;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    const bool marked = line.starts_with("@C@") || line.starts_with("@R@");
-    if (marked && line.starts_with("@C@") != labels) continue;
-    kept += (marked ? line.substr(3) : line) + "\n";
+    const auto mark = std::ranges::find_if(marks, [&](const auto& m) { return line.starts_with(m.first); });
+    if (mark == marks.end())
+      kept += line + "\n";
+    else if (mark->second)
+      kept += line.substr(std::string(mark->first).size()) + "\n";
   }
   return kept;
 }
@@ -150,7 +159,7 @@ std::span<const char* const> script_kinds() {
 std::string plan_script(const std::filesystem::path& folder, const std::string& kind) {
   const char* lines = template_of(kind);
   const Plan plan = read_plan(folder);
-  std::string text = lines_for(lines, !is_of_roofs(plan));
+  std::string text = lines_for(lines, plan);
   const std::string path = std::filesystem::absolute(folder).lexically_normal().string();
   const auto plain = [](unsigned char c) {
     return std::isalnum(c) != 0 || std::string("/._+-").find(static_cast<char>(c)) != std::string::npos;

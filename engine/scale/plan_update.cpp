@@ -6,6 +6,7 @@
 #include "engine/error.h"
 #include "engine/pass/pass.h"
 #include "engine/scale/parts/part_file.h"
+#include "engine/scale/parts/part_place.h"
 #include "engine/scale/records.h"
 
 namespace ilot {
@@ -16,16 +17,10 @@ namespace fs = std::filesystem;
 // A part that is damaged inside is found by its task or by the merge, which read it to its end.
 bool has_part(const fs::path& part, const std::string& key) {
   try {
-    return fs::exists(part) && RecordFileReader(part, 1u << 12).head() == part_head(key);
+    return part_exists(part) && RecordFileReader(part, 1u << 12).head() == part_head(key);
   } catch (const Error&) {
     return false;
   }
-}
-
-void give(const fs::path& from, const fs::path& to) {
-  std::error_code no_link;
-  fs::create_hard_link(from, to, no_link);
-  if (no_link) fs::copy_file(from, to);  // on another disk
 }
 
 }  // namespace
@@ -38,6 +33,7 @@ void take_options(const Plan& old, PlanOptions& options) {
   run.dialect = old.dialect;
   if (run.stations.empty()) run.stations = old.stations_file;
   options.area_size = old.area_size;
+  options.labels = old.labels;
   if (run.inputs.empty())
     for (const PlanInput& input : old.inputs) run.inputs.emplace_back(input.record.path);
   if (run.footprints.empty() && old.roofs.footprints) {
@@ -70,11 +66,9 @@ std::uint64_t keep_parts(const fs::path& old_folder, const Plan& old, const Plan
     stop_if_asked();
     const auto at = numbers.find(plan.areas[i].key);
     if (at == numbers.end()) continue;
-    const fs::path from = old_folder / kPartsFolder / std::to_string(at->second);
-    const fs::path to = folder / kPartsFolder / std::to_string(i + 1);
+    const fs::path from = parts_of(old, old_folder) / std::to_string(at->second);
     if (!has_part(from, at->first)) continue;
-    fs::remove(to);  // of a plan that was not finished
-    give(from, to);
+    copy_part(from, parts_of(plan, folder) / std::to_string(i + 1), folder / kPartsFolder / ".copied");
     ++kept;
   }
   return kept;

@@ -2,7 +2,6 @@
 #include "engine/scale/records.h"
 
 #include <algorithm>
-#include <fstream>
 #include <span>
 #include <utility>
 #include <vector>
@@ -56,14 +55,13 @@ std::string RecordFileWriter::finish() {
   return sum;
 }
 
-RecordFileReader::RecordFileReader(std::filesystem::path path, std::size_t buffer)
-    : path_(std::move(path)), size_(buffer) {
+RecordFileReader::RecordFileReader(const std::filesystem::path& path, std::size_t buffer) : file_(path), size_(buffer) {
   head_ = value();
   if (!head_.is_object()) damaged("it does not begin as such a file does");
 }
 
 void RecordFileReader::damaged(const std::string& how) const {
-  throw Error(path_.string() + ": is damaged: " + how + "; remove it and make it again");
+  throw Error(file_.path().string() + ": is damaged: " + how + "; remove it and make it again");
 }
 
 std::string RecordFileReader::take(std::size_t bytes) {
@@ -71,12 +69,9 @@ std::string RecordFileReader::take(std::size_t bytes) {
     buffer_.erase(0, std::exchange(used_, 0));
     const std::size_t have = buffer_.size();
     buffer_.resize(std::max(bytes, size_));
-    std::ifstream file(path_, std::ios::binary);
-    if (!file) throw Error(path_.string() + ": cannot be read");
-    file.seekg(static_cast<std::streamoff>(offset_));
-    file.read(buffer_.data() + have, static_cast<std::streamsize>(buffer_.size() - have));
-    offset_ += static_cast<std::uint64_t>(file.gcount());
-    buffer_.resize(have + static_cast<std::size_t>(file.gcount()));
+    const std::size_t got = file_.read_at(offset_, std::as_writable_bytes(std::span(buffer_)).subspan(have));
+    offset_ += got;
+    buffer_.resize(have + got);
     if (buffer_.size() < bytes) damaged("it ends too early");
   }
   used_ += bytes;

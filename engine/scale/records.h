@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/formats/file.h"
 #include "engine/report/sha256.h"
 #include "engine/whole_file_writer.h"
 
@@ -28,11 +29,11 @@ class RecordFileWriter {
   std::uint64_t records_ = 0;
 };
 
-// Reads a file of records front to back. The file is open only while its buffer is filled, so that any number of
-// readers can work at a time. Throws Error for a file that is damaged or not whole, at the latest at its end.
+// Reads a file of records, remote or not, front to back. Any number of readers can work at a time (InputFile). Throws
+// Error for a file that is damaged or not whole, at the latest at its end.
 class RecordFileReader {
  public:
-  explicit RecordFileReader(std::filesystem::path path, std::size_t buffer = 1u << 20);
+  explicit RecordFileReader(const std::filesystem::path& path, std::size_t buffer = 1u << 20);
   const nlohmann::json& head() const { return head_; }
   std::optional<nlohmann::json> next();
   // Of a file that was read to its end: the sum that finish() returned.
@@ -43,7 +44,7 @@ class RecordFileReader {
   std::string take(std::size_t bytes);
   nlohmann::json value();
 
-  std::filesystem::path path_;
+  InputFile file_;
   std::size_t size_, used_ = 0;
   std::uint64_t offset_ = 0, records_ = 0;
   std::string buffer_, told_;

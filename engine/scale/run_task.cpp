@@ -5,22 +5,23 @@
 #include <new>
 
 #include "engine/error.h"
+#include "engine/formats/remote_file.h"
 #include "engine/pass/index.h"
 #include "engine/pass/kept_columns.h"
 #include "engine/pass/pass.h"
 #include "engine/pass/resident.h"
-#include "engine/products/roofs/make_roofs.h"
 #include "engine/products/roofs/roof_roles.h"
 #include "engine/report/counted.h"
 #include "engine/run/memory_budget.h"
 #include "engine/scale/chunk_boxes.h"
 #include "engine/scale/label_task.h"
+#include "engine/scale/parts/building_part.h"
 #include "engine/scale/parts/cell_part.h"
 #include "engine/scale/parts/part_file.h"
+#include "engine/scale/parts/part_place.h"
 #include "engine/scale/plan.h"
 #include "engine/scale/plan_products.h"
 #include "engine/scale/records.h"
-#include "engine/scale/site_records.h"
 #include "engine/scale/task_inputs.h"
 #include "engine/scale/work_folder.h"
 #include "engine/store/flushed.h"
@@ -30,32 +31,6 @@ namespace ilot {
 namespace {
 
 namespace fs = std::filesystem;
-
-// The sites of an area and the outlines around them, in the order of all sites.
-struct LocalSites {
-  std::vector<PlannedSite> sites;
-  std::vector<bool> outside;
-  std::vector<std::size_t> own;      // places in the lists above
-  std::vector<std::size_t> sampled;  // places in the list `own`
-};
-
-LocalSites read_sites(const fs::path& path, const PlanArea& area) {
-  LocalSites local;
-  RecordFileReader file(path);
-  try {
-    while (const auto record = file.next()) {
-      NumberedSite n = numbered_site(*record);
-      if (n.sampled) local.sampled.push_back(local.own.size());
-      if (n.own) local.own.push_back(local.sites.size());
-      local.outside.push_back(n.outside);
-      local.sites.push_back(std::move(n.site));
-    }
-  } catch (const nlohmann::json::exception&) {
-    throw Error(path.string() + ": is damaged; make the plan again");
-  }
-  if (file.sum() != area.sites_sum) throw Error(path.string() + ": belongs to another plan; make the plan again");
-  return local;
-}
 
 Store index_of_area(const RunOptions& options, const RunInputs& inputs, const Plan& plan, const PlanArea& area,
                     const fs::path& chunks, const fs::path& folder, const PassContext& context) {
@@ -70,7 +45,7 @@ Store index_of_area(const RunOptions& options, const RunInputs& inputs, const Pl
   p.finest_step = options.settings.index.finest_step;
   p.keep_strays = options.settings.index.keep_strays;
   p.strays = Strays(plan.stray_bits, plan.strays);
-  if (is_of_roofs(plan)) p.classes = ClassColumns::written;
+  if (makes_roofs(plan)) p.classes = ClassColumns::written;
   p.block_points = p.run_points = affordable_block_points(options, thread_count());
   IndexResult index = build_index(inputs.readers, p, folder, context);
   if (!(index.lattice == plan.lattice))
@@ -78,31 +53,12 @@ Store index_of_area(const RunOptions& options, const RunInputs& inputs, const Pl
   return std::move(index.store);
 }
 
-// Makes the buildings of the area, and returns what the end of the part says.
-PartSummary write_buildings(const Store& store, const LocalSites& local, const Plan& plan, const PassContext& context,
-                            Progress& progress, RecordFileWriter& file) {
-  if (store.points() > 0) make_roof_roles(store, plan.settings, context, progress, plan.roofs.by_shape);
-  const RoofSetup setup(store, local.sites, plan.settings, plan.crs, context);
-  RoofLabels labels(store);
-  PartSummary summary;
-  summary.shifts = model_buildings(setup, local.own, local.sampled, context, progress, labels,
-                                   [&](std::size_t n, SiteResult& result) {
-                                     std::uint64_t labelled = 0;
-                                     for (const LabelRun& run : result.labels) labelled += run.count;
-                                     const bool asked = plan.roofs.footprints && !local.outside[local.own[n]];
-                                     summary.without_model += asked && result.status == RoofStatus::footprint_only;
-                                     file.add(record_of(BuiltSite{labelled, std::move(result)}));
-                                   });
-  progress.end_stage();
-  return summary;
-}
-
 // Makes the part of the area, and returns what its end says.
 PartSummary make_part(const TaskOptions& task, const Plan& plan, const PlanArea& area, const WorkFolder& work,
                       const fs::path& part, Progress& progress) {
   const RunOptions options = run_options(task, plan, area.inputs);
   LocalSites local;
-  if (is_of_roofs(plan)) local = read_sites(task.plan / kSitesFolder / std::to_string(task.number), area);
+  if (makes_roofs(plan)) local = read_sites(task.plan / kSitesFolder / std::to_string(task.number), area);
   const RunInputs inputs = open_needed(options, plan, area.inputs);
   set_memory_limit(memory_to_fill(options));
   const KeptColumns kept;
@@ -115,10 +71,11 @@ PartSummary make_part(const TaskOptions& task, const Plan& plan, const PlanArea&
   progress.end_stage();
   RecordFileWriter file(part, part_head(area.key));
   PartSummary summary;
-  if (is_of_roofs(plan))
-    summary = write_buildings(store, local, plan, context, progress, file);
-  else
-    summary.cells = write_cells(store, inputs, plan, area, context, progress, file);
+  if (makes_roofs(plan)) {
+    if (store.points() > 0) make_roof_roles(store, plan.settings, context, progress, plan.roofs.by_shape);
+    write_buildings(store, local, plan, context, progress, file, summary);
+  }
+  if (carries_points(plan)) summary.cells = write_cells(store, inputs, plan, area, context, progress, file);
   file.add(summary_record(summary));
   file.finish();
   return summary;
@@ -130,7 +87,7 @@ int exit_code(const PartSummary& summary) {
 
 int work_on_area(const TaskOptions& options, const Plan& plan, Progress& progress) {
   const PlanArea& area = plan.areas[options.number - 1];
-  const fs::path parts = options.plan / kPartsFolder, part = parts / std::to_string(options.number);
+  const fs::path part = parts_of(plan, options.plan) / std::to_string(options.number);
   PartSummary summary;
   const PartState state = part_state(part, area.key, summary);
   if (state == PartState::whole) {
@@ -142,15 +99,16 @@ int work_on_area(const TaskOptions& options, const Plan& plan, Progress& progres
                   " and is made again");
   check_inputs(plan, area.inputs);
   const std::string beginning = "." + std::to_string(options.number) + "-";
-  const WorkFolder beside(parts, beginning);
-  std::optional<WorkFolder> elsewhere;
+  std::optional<WorkFolder> beside, elsewhere;
   if (!options.work.empty()) elsewhere.emplace(options.work, "ilot-task" + beginning);
-  const fs::path made = beside.path() / "part";
-  summary = make_part(options, plan, area, elsewhere ? *elsewhere : beside, made, progress);
+  if (!elsewhere || !is_remote(part)) beside.emplace(options.plan / kPartsFolder, beginning);
+  const fs::path made = (beside ? *beside : *elsewhere).path() / "part";
+  summary = make_part(options, plan, area, elsewhere ? *elsewhere : *beside, made, progress);
   check_inputs(plan, area.inputs);  // a change while the task read
-  fs::rename(made, part);           // a twin's file has the same bytes
-  progress.run_done(part.string() + ": " +
-                    (is_of_roofs(plan) ? counted(area.sites, "building") : counted(summary.cells, "cell")) +
+  publish_part(made, part);         // a twin's file has the same bytes
+  progress.run_done(part.string() + ": " + (makes_roofs(plan) ? counted(area.sites, "building") : "") +
+                    (makes_roofs(plan) && carries_points(plan) ? ", " : "") +
+                    (carries_points(plan) ? counted(summary.cells, "cell") : "") +
                     (summary.without_model == 0 ? "" : ", " + grouped(summary.without_model) + " without a model"));
   return exit_code(summary);
 }

@@ -113,6 +113,10 @@ json record_of(const BuiltSite& built) {
           {"planes", built.result.planes}, {"levels", levels}};
 }
 
+bool is_building(const json& record) {
+  return record.contains("levels");
+}
+
 BuiltSite built_site(const json& record) {
   BuiltSite built;
   built.labelled = record.at("labelled").get<std::uint64_t>();

@@ -32,6 +32,7 @@ NumberedSite numbered_site(const nlohmann::json& record);
 nlohmann::json without_number(const NumberedSite& site);
 
 nlohmann::json record_of(const BuiltSite& built);
+bool is_building(const nlohmann::json& record);
 BuiltSite built_site(const nlohmann::json& record);
 
 }  // namespace ilot

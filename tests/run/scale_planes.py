@@ -122,8 +122,7 @@ class PlanOfPlanes(PlanesTest):
 
     def test_what_is_refused(self):
         inputs = self.district(20_000)
-        for options, why in ((("--products", "planes,roofs"), "one plan for roofs alone"),
-                             (("--set", "planes.method=colour_ransac"), "colour_ransac"),
+        for options, why in ((("--set", "planes.method=colour_ransac"), "colour_ransac"),
                              (("--set", "boundaries.step=stations"), "give --stations"),
                              (("--footprints", inputs), "only the product roofs reads it")):
             done = ilot("plan", inputs, "-o", self.folder / "p", "--products", "planes", *options)

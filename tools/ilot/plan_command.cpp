@@ -8,7 +8,7 @@
 #include "engine/error.h"
 #include "engine/run/inputs/inputs.h"
 #include "engine/scale/make_plan.h"
-#include "engine/scale/merge.h"
+#include "engine/scale/merge/merge.h"
 #include "engine/scale/plan_scripts.h"
 #include "engine/scale/run_task.h"
 #include "engine/settings/config.h"
@@ -27,9 +27,9 @@ constexpr std::uint64_t kLeastOfTask = 96u << 20;
 struct PlanArguments {
   std::vector<std::string> inputs, products{"roofs"}, assignments;
   std::string output, config, memory, store, footprints, id_field, crs, dialect, area_size = "auto", kind;
-  std::string update, statistics, stations;
+  std::string update, statistics, stations, parts;
   int threads = 0;
-  bool estimate = false, quiet = false;
+  bool labels = false, estimate = false, quiet = false;
 };
 
 std::uint64_t memory_of(const std::string& text) {
@@ -73,6 +73,8 @@ PlanOptions options_of(const PlanArguments& given) {
   if (!given.inputs.empty()) run.inputs = expand_inputs(given.inputs);
   options.statistics = given.statistics;
   options.update = given.update;
+  options.labels = given.labels;
+  options.parts = given.parts;
   return given.update.empty() ? options : options_of_update(std::move(options));
 }
 
@@ -160,8 +162,7 @@ void add_plan_work(CLI::App& command, PlanArguments& given) {
   command.add_option("INPUT", given.inputs, "point clouds, as for ilot run; with --as and --estimate a PLAN")
       ->option_text("...");
   command.add_option("-o,--output", given.output, "folder for the plan, must not exist [none]")->option_text("PLAN");
-  command
-      .add_option("--products", given.products, "what to make: roofs alone, or any of planes, facades, streets [roofs]")
+  command.add_option("--products", given.products, "what to make: any of roofs, planes, facades, streets [roofs]")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->option_text("LIST");
@@ -199,11 +200,19 @@ void add_plan_command(CLI::App& app, Action& action) {
       ->add_option("--statistics", given->statistics,
                    "a plan whose values of auto are kept, as --update does, with all areas to do [none]")
       ->option_text("OLD");
+  command
+      ->add_option("--parts", given->parts,
+                   "where tasks write their parts in an object store, s3://, gs:// or az:// [PLAN/parts]")
+      ->option_text("URL");
+  command->add_flag("--labels", given->labels,
+                    "parts of roofs alone have all points too, so that clouds can be labelled; those of other products "
+                    "have them [off]");
   command->add_option("--as", given->kind, "print what runs PLAN: make, slurm, snakemake, dask or k8s [none]")
       ->option_text("ENGINE");
   command->add_flag("--estimate", given->estimate, "print what the tasks of PLAN need in all [off]");
   command->add_flag("-q,--quiet", given->quiet, "say only what is wrong [off]");
-  for (const char* set : {"--products", "--area-size", "--config", "--set", "--crs", "--text-dialect", "--statistics"})
+  for (const char* set :
+       {"--products", "--area-size", "--config", "--set", "--crs", "--text-dialect", "--statistics", "--labels"})
     command->get_option("--update")->excludes(command->get_option(set));
   command->footer(
       "Example: ilot plan tiles/ -o plan --products roofs --footprints buildings.gpkg\n"
@@ -241,7 +250,7 @@ void add_merge_command(CLI::App& app, Action& action) {
       ->option_text("OUT");
   command->add_flag("--allow-missing", given->allow_missing, "areas without a part are holes; exit code 3 [off]");
   command->add_flag("--no-report", given->no_report, "do not write report.html [off]");
-  command->add_flag("--labels", given->labels, "leave labels in PLAN for ilot task PLAN label N; not of roofs [off]");
+  command->add_flag("--labels", given->labels, "leave labels in PLAN for ilot task PLAN label N [off]");
   add_machine_options(*command, given->memory, given->threads);
   command->add_flag("-q,--quiet", given->quiet, "say only what is wrong [off]");
   command->footer("Example: ilot merge plan -o out");

@@ -8,15 +8,23 @@
 #include "engine/columns/normals_pass.h"
 #include "engine/pass/pass.h"
 #include "engine/products/planes/cells/planes_pass.h"
+#include "engine/products/roofs/roof_roles.h"
 #include "engine/scale/parts/cell_records.h"
 #include "engine/scale/plan_products.h"
 
 namespace ilot {
 
-std::int64_t halo_of_cells(const Settings& settings, double unit_metres) {
-  const int bits = std::bit_width(static_cast<std::uint64_t>(largest_cell(unit_metres))) - 1;
-  const Cell largest{{{}, kTileBits - bits, 0}, 0, {}};
-  return margin_of(largest) + static_cast<std::int64_t>(std::ceil(settings.normals.max_radius / unit_metres)) + 2;
+std::int64_t halo_of_cells(const Plan& plan, double unit_metres) {
+  const auto steps = [&](double metres) { return static_cast<std::int64_t>(std::ceil(metres / unit_metres)) + 2; };
+  std::int64_t halo = 0;
+  if (searches_planes(plan)) {
+    const int bits = std::bit_width(static_cast<std::uint64_t>(largest_cell(unit_metres))) - 1;
+    const Cell largest{{{}, kTileBits - bits, 0}, 0, {}};
+    halo = margin_of(largest) + steps(plan.settings.normals.max_radius);
+  }
+  if (carries_roof_labels(plan) && plan.roofs.by_shape)
+    halo = std::max(halo, steps(reach_of_found_roles(plan.settings)));
+  return halo;
 }
 
 std::uint64_t write_cells(const Store& store, const RunInputs& inputs, const Plan& plan, const PlanArea& area,
@@ -38,7 +46,9 @@ std::uint64_t write_cells(const Store& store, const RunInputs& inputs, const Pla
   progress.end_stage();
   for (const Cell& cell : cells) {
     stop_if_asked();
-    part.add(record_of(read_cell(store, cell)));
+    CellRecord record = read_cell(store, cell);
+    if (!planes) record.normals.clear();  // found for roles alone
+    part.add(record_of(record));
   }
   return cells.size();
 }

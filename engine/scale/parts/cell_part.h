@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a task does for all products but roofs: it reads and sorts the points of the cells that its area owns, and
+// What a task does with points that go to the merge: it reads and sorts those of the cells that its area owns, and
 // searches planes in them where a product needs planes.
 #pragma once
 #include "engine/columns/run_inputs.h"
@@ -11,12 +11,13 @@
 
 namespace ilot {
 
-// The points around the cells of an area that the search in these cells reads, in lattice steps: the margin of the
-// largest cells, and the neighbours from which normals in it follow.
-std::int64_t halo_of_cells(const Settings& settings, double unit_metres);
+// The points around the cells of an area that are read, in lattice steps. For planes: the margin of the largest cells,
+// and the neighbours from which normals in it follow. For labels of roofs: those from which the roles in them follow.
+std::int64_t halo_of_cells(const Plan& plan, double unit_metres);
 
 // Works on the cells whose corner lies in area.own, with the functions of a run, and adds each as a record. `inputs`
-// are those of area.inputs. Returns the number of cells.
+// are those of area.inputs; where labels of roofs are carried the store has the column "role". Returns the number of
+// cells.
 std::uint64_t write_cells(const Store& store, const RunInputs& inputs, const Plan& plan, const PlanArea& area,
                           const PassContext& context, Progress& progress, RecordFileWriter& part);
 

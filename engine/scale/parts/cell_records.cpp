@@ -2,33 +2,17 @@
 #include "engine/scale/parts/cell_records.h"
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 
 #include "engine/error.h"
 #include "engine/products/planes/cells/cell_shapes.h"
 #include "engine/products/planes/cells/planes_pass.h"
+#include "engine/scale/parts/record_bytes.h"
 
 namespace ilot {
 namespace {
 
 using nlohmann::json;
-
-template <class T>
-json bytes_json(const std::vector<T>& values) {
-  std::vector<std::uint8_t> bytes(values.size() * sizeof(T));
-  if (!bytes.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
-  return json::binary(std::move(bytes));
-}
-
-template <class T>
-std::vector<T> values_of(const json& record, const char* name) {
-  const auto& bytes = record.at(name).get_binary();
-  if (bytes.size() % sizeof(T) != 0) throw Error(std::string(name) + " of a cell is not whole");
-  std::vector<T> values(bytes.size() / sizeof(T));
-  if (!values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
-  return values;
-}
 
 // Empty where the store does not have the column.
 template <class T>
@@ -55,6 +39,7 @@ CellRecord read_cell(const Store& store, const Cell& cell) {
           read_column_of(store, cell, columns::kNormals),
           read_column_of(store, cell, columns::kColour),
           read_column_of(store, cell, columns::kStation),
+          read_column_of(store, cell, columns::kRole),
           content_of(cell_path(store, cell)),
           content_of(shapes_path(store, cell))};
 }
@@ -67,6 +52,7 @@ json record_of(const CellRecord& cell) {
           {"normals", bytes_json(cell.normals)},
           {"colours", bytes_json(cell.colours)},
           {"stations", bytes_json(cell.stations)},
+          {"roles", bytes_json(cell.roles)},
           {"planes", bytes_json(cell.planes)},
           {"shapes", bytes_json(cell.shapes)}};
 }
@@ -81,12 +67,13 @@ CellRecord cell_record(const json& record) {
                values_of<PackedNormal>(record, "normals"),
                values_of<StoredColour>(record, "colours"),
                values_of<StationNumber>(record, "stations"),
+               values_of<PointRole>(record, "roles"),
                values_of<std::byte>(record, "planes"),
                values_of<std::byte>(record, "shapes")};
   const std::size_t points = r.codes.size();
   const auto fits = [points](const auto& values) { return values.empty() || values.size() == points; };
   const bool whole = points > 0 && r.order.size() == points && fits(r.normals) && fits(r.colours) && fits(r.stations) &&
-                     r.normals.empty() == r.planes.empty();
+                     fits(r.roles) && r.normals.empty() == r.planes.empty();
   const bool inside = whole && r.node.level >= 0 && r.node.level <= kTileBits && std::ranges::is_sorted(r.codes) &&
                       r.codes.front() >= r.node.first_code && r.codes.back() <= r.node.last_code();
   if (!inside) throw Error("the fields of a cell do not belong together");

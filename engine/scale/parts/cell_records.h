@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/columns/colours_pass.h"
+#include "engine/columns/point_roles.h"
 #include "engine/columns/stations_pass.h"
 #include "engine/products/planes/cells/cells.h"
 #include "kernels/neighbours/normals.h"
@@ -22,8 +23,9 @@ struct CellRecord {
   std::vector<PackedNormal> normals;
   std::vector<StoredColour> colours;    // empty where no input of the area has colours
   std::vector<StationNumber> stations;  // empty where no input of the area has them in its rows
-  std::vector<std::byte> planes;        // the content of cell_path()
-  std::vector<std::byte> shapes;        // the content of shapes_path(); empty where there is none
+  std::vector<PointRole> roles;
+  std::vector<std::byte> planes;  // the content of cell_path()
+  std::vector<std::byte> shapes;  // the content of shapes_path(); empty where there is none
 };
 
 // Reads a cell with all that its store has of it.

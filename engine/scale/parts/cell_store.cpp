@@ -14,8 +14,10 @@
 #include "engine/products/planes/cells/planes_pass.h"
 #include "engine/scale/parts/cell_records.h"
 #include "engine/scale/parts/part_file.h"
+#include "engine/scale/parts/roof_label_records.h"
 #include "engine/scale/plan_products.h"
 #include "engine/scale/records.h"
+#include "engine/scale/site_records.h"
 
 namespace ilot {
 namespace {
@@ -28,6 +30,7 @@ constexpr std::uint64_t kBytesToUnpack = std::uint64_t{54} << 20;
 constexpr const char* kNormalsOfCell = ".normals";
 constexpr const char* kColoursOfCell = ".colours";
 constexpr const char* kStationsOfCell = ".stations";
+constexpr const char* kRolesOfCell = ".roles";
 
 fs::path carried(const Store& store, const Node& node, const char* suffix) {
   return store.folder() / "carried" / (node.name() + suffix);
@@ -54,20 +57,46 @@ void unpack_cell(const CellRecord& r, std::span<const std::uint32_t> inputs, con
   };
   keep(carried(store, r.node, kNormalsOfCell), r.normals);
   keep(carried(store, r.node, kColoursOfCell), r.colours);
+  keep(carried(store, r.node, kRolesOfCell), r.roles);
   if (keep(carried(store, r.node, kStationsOfCell), r.stations)) any_stations = true;
   keep(shapes_path(store, cell), r.shapes);
   keep(cell_path(store, cell), r.planes);
 }
 
+// What parts have of roofs goes to files of its own, which are read when the buildings have their numbers.
+struct RoofRecords {
+  RecordFileWriter buildings, labels;
+
+  RoofRecords(const fs::path& folder, const std::string& area, const nlohmann::json& head)
+      : buildings(folder / kBuildingsOfParts / area, head), labels(folder / kLabelsOfParts / area, head) {}
+
+  // Whether the record is one of roofs.
+  bool take(const nlohmann::json& record) {
+    if (is_placed_labels(record))
+      labels.add(record);
+    else if (is_building(record) || is_summary(record))
+      buildings.add(record);
+    else
+      return false;
+    return true;
+  }
+  void finish() {
+    buildings.finish();
+    labels.finish();
+  }
+};
+
 SortedRun unpack_part(const fs::path& part, std::span<const std::uint32_t> inputs, const Plan& plan, const Store& store,
                       const fs::path& stem, std::atomic<bool>& any_stations) {
   SortedRunWriter run(stem);
   RecordFileReader file(part);
+  std::optional<RoofRecords> roofs;
+  if (makes_roofs(plan)) roofs.emplace(store.folder(), part.filename().string(), file.head());
   std::optional<Node> last;
   try {
     while (const auto record = file.next()) {
       stop_if_asked();
-      if (is_summary(*record)) continue;
+      if (roofs ? roofs->take(*record) : is_summary(*record)) continue;
       const CellRecord cell = cell_record(*record);
       if (last && !(before(*last, cell.node) && !last->contains(cell.node)))
         throw Error(part.string() + ": its cells are not in order");
@@ -77,6 +106,7 @@ SortedRun unpack_part(const fs::path& part, std::span<const std::uint32_t> input
   } catch (const nlohmann::json::exception&) {
     throw Error(part.string() + ": is damaged; remove it and run its task again");
   }
+  if (roofs) roofs->finish();
   return run.finish();
 }
 
@@ -99,19 +129,36 @@ void spread(const Store& store, const std::vector<Cell>& cells, const Column<T>&
   });
 }
 
-void check_cells(const Store& store, const std::vector<Cell>& cells) {
+// `suffix` is of a column of type T that every cell has.
+template <class T>
+void check_cells(const Store& store, const std::vector<Cell>& cells, const char* suffix) {
   for (const Cell& cell : cells) {
-    const fs::path normals = carried(store, cell.node, kNormalsOfCell);
-    if (!fs::exists(normals) || ColumnReader<PackedNormal>(normals).size() != cell.points)
+    const fs::path values = carried(store, cell.node, suffix);
+    if (!fs::exists(values) || ColumnReader<T>(values).size() != cell.points)
       throw Error("the parts do not have the cells of one run; remove them and run the tasks again");
   }
+}
+
+void spread_all(const Store& store, const Plan& plan, bool any_stations, const PassContext& context) {
+  const std::vector<Cell> cells = canonical_cells(store, context.metres_per_unit);
+  if (makes_roofs(plan)) {
+    check_cells<PointRole>(store, cells, kRolesOfCell);
+    spread(store, cells, columns::kRole, kRolesOfCell, PointRole::unclassified, context);
+  }
+  if (!searches_planes(plan)) return;
+  check_cells<PackedNormal>(store, cells, kNormalsOfCell);
+  spread(store, cells, columns::kNormals, kNormalsOfCell, PackedNormal{}, context);
+  // As in a run, whose drawings are coloured where an input has colours, even if none of its points is used.
+  if (reads_colours(plan)) spread(store, cells, columns::kColour, kColoursOfCell, kNoColour, context);
+  if (any_stations) spread(store, cells, columns::kStation, kStationsOfCell, StationNumber{0}, context);
 }
 
 }  // namespace
 
 Store store_of_parts(const fs::path& parts, std::span<const std::uint64_t> areas, const Plan& plan,
                      std::uint64_t block_points, const fs::path& folder, const PassContext& context) {
-  for (const char* name : {"runs", "blocks", "cells", "carried"}) fs::create_directories(folder / name);
+  for (const char* name : {"runs", "blocks", "cells", "carried", kBuildingsOfParts, kLabelsOfParts})
+    fs::create_directories(folder / name);
   const Store empty(folder, plan.lattice.unit, {});
   std::vector<SortedRun> runs(areas.size());
   std::atomic<bool> any_stations = false;
@@ -123,14 +170,7 @@ Store store_of_parts(const fs::path& parts, std::span<const std::uint64_t> areas
   params.block_points = block_points;
   Store store(folder, plan.lattice.unit, build_blocks(runs, params, {}, folder, context));
   fs::remove_all(folder / "runs");
-  if (searches_planes(plan)) {
-    const std::vector<Cell> cells = canonical_cells(store, context.metres_per_unit);
-    check_cells(store, cells);
-    spread(store, cells, columns::kNormals, kNormalsOfCell, PackedNormal{}, context);
-    // As in a run, whose drawings are coloured where an input has colours, even if none of its points is used.
-    if (reads_colours(plan)) spread(store, cells, columns::kColour, kColoursOfCell, kNoColour, context);
-    if (any_stations) spread(store, cells, columns::kStation, kStationsOfCell, StationNumber{0}, context);
-  }
+  if (searches_planes(plan) || makes_roofs(plan)) spread_all(store, plan, any_stations, context);
   fs::remove_all(folder / "carried");
   return store;
 }

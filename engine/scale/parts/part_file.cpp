@@ -2,6 +2,7 @@
 #include "engine/scale/parts/part_file.h"
 
 #include "engine/error.h"
+#include "engine/scale/parts/part_place.h"
 #include "engine/scale/records.h"
 
 namespace ilot {
@@ -13,7 +14,7 @@ json part_head(const std::string& key) {
 }
 
 PartState part_state(const std::filesystem::path& path, const std::string& key, PartSummary& summary) {
-  if (!std::filesystem::exists(path)) return PartState::missing;
+  if (!part_exists(path)) return PartState::missing;
   try {
     RecordFileReader file(path);
     if (file.head() != part_head(key)) return PartState::stale;

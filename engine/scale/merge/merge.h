@@ -9,11 +9,11 @@ namespace ilot {
 
 struct MergeOptions {
   std::filesystem::path plan, output;
-  bool allow_missing = false;  // areas without a part are holes, which run.json lists
-  bool report = true;          // write report.html
-  bool labels = false;         // leave labels in the plan, for tasks that write clouds; not of roofs
-  std::uint64_t memory_bytes = std::uint64_t{512} << 20;  // roofs need little
-  int threads = 0;                                        // 0: all; roofs take one
+  bool allow_missing = false;                             // areas without a part are holes, which run.json lists
+  bool report = true;                                     // write report.html
+  bool labels = false;                                    // leave labels in the plan, for tasks that write clouds
+  std::uint64_t memory_bytes = std::uint64_t{512} << 20;  // models of roofs alone need little
+  int threads = 0;                                        // 0: all; models of roofs alone take one
 };
 
 // Makes one result of the parts of a plan: the files that one run would have written, with ids in its order. Throws

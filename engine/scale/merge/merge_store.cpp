@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/scale/merge_store.h"
+#include "engine/scale/merge/merge_store.h"
 
 #include <algorithm>
 #include <string>
@@ -9,12 +9,16 @@
 #include "engine/pass/kept_columns.h"
 #include "engine/pass/resident.h"
 #include "engine/products/planes/make_planes.h"
+#include "engine/products/roofs/product.h"
 #include "engine/products/streets/make_streets.h"
 #include "engine/run/memory_budget.h"
 #include "engine/run/products.h"
 #include "engine/run/run_context.h"
 #include "engine/scale/label_store.h"
+#include "engine/scale/merge/merge_roof_labels.h"
+#include "engine/scale/merge/merge_roofs.h"
 #include "engine/scale/parts/cell_store.h"
+#include "engine/scale/parts/part_place.h"
 #include "engine/scale/task_inputs.h"
 #include "engine/store/flushed.h"
 #include "kernels/core/parallel.h"
@@ -41,7 +45,7 @@ void merge_store(const MergeOptions& options, const Plan& plan, const std::vecto
   context.rounding = plan.rounding;
   context.corner = plan.corner;
   progress.begin_stage("merge", plan.points);
-  const Store store = store_of_parts(options.plan / kPartsFolder, areas, plan, block_points, folder, context);
+  const Store store = store_of_parts(parts_of(plan, options.plan), areas, plan, block_points, folder, context);
   progress.end_stage();
   if (store.points() == 0) throw Error(options.plan.string() + ": the parts have no points");
   const StreetTraining training;
@@ -55,7 +59,13 @@ void merge_store(const MergeOptions& options, const Plan& plan, const std::vecto
                   .progress = progress,
                   .record = record};
   const std::vector<const Product*> products = products_to_make(plan.products);
-  make_all(products, work);
+  const auto make = [&](const Product& product) {
+    if (&product != &roofs_product()) return product.make(work);
+    const MergedRoofs roofs = merge_roofs(options.plan, plan, chosen_of_roofs(plan, store, context),
+                                          folder / kBuildingsOfParts, areas, staging, progress, record);
+    merge_roof_labels(store, folder / kLabelsOfParts, areas, roofs, context);
+  };
+  make_all(products, work, make);
   std::optional<LabelledPlanes> planes;
   if (options.labels && work.planes) planes = {work.planes->planes, work.planes->curved.has_value()};
   const std::vector<ProductLabels> labels = labels_of(products, work);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/scale/merge_roofs.h"
+#include "engine/scale/merge/merge_roofs.h"
 
 #include <algorithm>
 #include <memory>
@@ -50,8 +50,8 @@ struct MergedSite {
 // The buildings of one part, one for each own site of the area.
 class PartReader {
  public:
-  PartReader(const fs::path& plan, const std::string& area, std::size_t buffer)
-      : path_(plan / kPartsFolder / area), sites_(plan / kSitesFolder / area, buffer), file_(path_, buffer) {
+  PartReader(const fs::path& plan, const fs::path& parts, const std::string& area, std::size_t buffer)
+      : path_(parts / area), sites_(plan / kSitesFolder / area, buffer), file_(path_, buffer) {
     advance();
   }
   bool ended() const { return ended_; }
@@ -94,12 +94,12 @@ class PartReader {
 struct Merged {
   SiteNames names;
   ShiftCounts shifts;
-  std::uint64_t labelled = 0;
+  MergedRoofs roofs;
 };
 
 // Hands the buildings of all parts to the sink in the order of their numbers.
-Merged merge_buildings(const MergeOptions& options, const Plan& plan, const std::vector<std::uint64_t>& areas,
-                       RoofSink& sink, Progress& progress) {
+Merged merge_buildings(const fs::path& folder, const Plan& plan, const fs::path& from,
+                       const std::vector<std::uint64_t>& areas, RoofSink& sink, Progress& progress) {
   // Choice: some records fit, and 10,000 parts take 320 MiB at most; with fewer parts each gets more.
   constexpr std::size_t kLeastBuffer = 1u << 15, kMostBuffer = 1u << 20, kAllBuffers = 64u << 20;
   const std::size_t buffer = std::clamp(kAllBuffers / areas.size(), kLeastBuffer, kMostBuffer);
@@ -107,19 +107,22 @@ Merged merge_buildings(const MergeOptions& options, const Plan& plan, const std:
   using Next = std::pair<std::uint64_t, std::size_t>;
   std::priority_queue<Next, std::vector<Next>, std::greater<>> order;
   for (const std::uint64_t area : areas) {
-    parts.push_back(std::make_unique<PartReader>(options.plan, std::to_string(area), buffer));
+    parts.push_back(std::make_unique<PartReader>(folder, from, std::to_string(area), buffer));
     if (!parts.back()->ended()) order.push({parts.back()->number(), parts.size() - 1});
   }
-  progress.begin_stage("merge", plan.roofs.sites, {plan.roofs.sites, "buildings"});
+  progress.begin_stage("roofs", plan.roofs.sites, {plan.roofs.sites, "buildings"});
   Merged merged;
+  merged.roofs.numbers.resize(areas.size());
+  std::uint32_t planes = 0;
   while (!order.empty()) {
     stop_if_asked();
     const std::size_t n = order.top().second;
     order.pop();
     MergedSite site = parts[n]->take();
     if (!parts[n]->ended()) order.push({parts[n]->number(), n});
-    merged.labelled += site.built.labelled;
-    ++merged.names.sites;
+    merged.roofs.labelled += site.built.labelled;
+    merged.roofs.numbers[n].push_back({static_cast<std::uint32_t>(++merged.names.sites), planes + 1});
+    planes += site.built.result.planes;
     const std::string& id = site.built.result.levels.at(0).id;
     if (site.built.result.status == RoofStatus::footprint_only) {
       merged.names.all.insert(id);
@@ -133,28 +136,43 @@ Merged merge_buildings(const MergeOptions& options, const Plan& plan, const std:
   return merged;
 }
 
+// All sites of these areas in the order of a run, for a run that made no building of them.
+std::vector<PlannedSite> sites_of(const fs::path& plan, const std::vector<std::uint64_t>& areas) {
+  constexpr std::size_t kBuffer = 1u << 20;
+  std::vector<NumberedSite> sites;
+  for (const std::uint64_t area : areas) {
+    OwnSites own(plan / kSitesFolder / std::to_string(area), kBuffer);
+    while (auto site = own.next()) sites.push_back(std::move(*site));
+  }
+  std::ranges::sort(sites, {}, &NumberedSite::number);
+  std::vector<PlannedSite> ordered;
+  for (NumberedSite& site : sites) ordered.push_back(std::move(site.site));
+  return ordered;
+}
+
 }  // namespace
 
-void merge_roofs(const MergeOptions& options, const Plan& plan, const std::vector<std::uint64_t>& areas,
-                 const fs::path& staging, Progress& progress, RunRecord& record) {
-  const fs::path folder = staging / "roofs";
-  fs::create_directories(folder);
-  RoofSink sink(folder, roof_files_params(plan.roofs.frame, plan.settings, plan.crs), plan.crs, nullptr, record);
-  const Merged merged = merge_buildings(options, plan, areas, sink, progress);
+MergedRoofs merge_roofs(const fs::path& folder, const Plan& plan, const std::vector<ChosenRecord>& chosen,
+                        const fs::path& parts, const std::vector<std::uint64_t>& areas, const fs::path& staging,
+                        Progress& progress, RunRecord& record) {
+  record.chosen.insert(record.chosen.end(), chosen.begin(), chosen.end());
+  fs::create_directories(staging / "roofs");
+  RoofSink sink(staging / "roofs", roof_files_params(plan.roofs.frame, plan.settings, plan.crs), plan.crs, nullptr,
+                record);
+  Merged merged = merge_buildings(folder, plan, parts, areas, sink, progress);
   sink.finish();
-  // A point in two outlines counts for both buildings.
-  const std::uint64_t usable = record.points.read - record.points.rejected_total();
-  record.points.labelled = std::min(merged.labelled, usable);
-  record.points.unlabelled = usable - record.points.labelled;
-  if (plan.roofs.footprints) {
+  const bool given = plan.roofs.footprints.has_value();
+  if (given) {
     record_misalignment(merged.shifts, progress, record);
     resolve_skipped_footprints(merged.names, progress, record);
   }
-  if (record.roofs->buildings == (record.footprints ? record.footprints->outside.size() : 0)) {
-    const std::string reason = why_no_building({}, false, false);
+  if (record.roofs->buildings == (given ? record.footprints->outside.size() : 0)) {
+    const std::string reason =
+        why_no_building(given ? sites_of(folder, areas) : std::vector<PlannedSite>{}, given, false);
     record.skipped.push_back({"product", roofs_product().name, reason});
     progress.unit_skipped(roofs_product().name, reason);
   }
+  return std::move(merged.roofs);
 }
 
 }  // namespace ilot

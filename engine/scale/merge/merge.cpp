@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/scale/merge.h"
+#include "engine/scale/merge/merge.h"
 
 #include <algorithm>
 #include <chrono>
@@ -7,6 +7,7 @@
 
 #include "engine/deliverables/report/report.h"
 #include "engine/error.h"
+#include "engine/pass/resident.h"
 #include "engine/report/counted.h"
 #include "engine/report/product_files.h"
 #include "engine/report/resources.h"
@@ -16,9 +17,10 @@
 #include "engine/run/products.h"
 #include "engine/run/result_swap.h"
 #include "engine/scale/label_store.h"
-#include "engine/scale/merge_roofs.h"
-#include "engine/scale/merge_store.h"
+#include "engine/scale/merge/merge_roofs.h"
+#include "engine/scale/merge/merge_store.h"
 #include "engine/scale/parts/part_file.h"
+#include "engine/scale/parts/part_place.h"
 #include "engine/scale/plan.h"
 #include "engine/scale/plan_products.h"
 #include "engine/scale/records.h"
@@ -35,8 +37,8 @@ std::vector<std::uint64_t> areas_with_parts(const MergeOptions& options, const P
                                             std::vector<std::uint64_t>& missing) {
   std::vector<std::uint64_t> found, stale;
   for (std::uint64_t area = 1; area <= plan.areas.size(); ++area) {
-    const fs::path part = options.plan / kPartsFolder / std::to_string(area);
-    if (!fs::exists(part))
+    const fs::path part = parts_of(plan, options.plan) / std::to_string(area);
+    if (!part_exists(part))
       missing.push_back(area);
     else if (RecordFileReader(part, 1u << 12).head() != part_head(plan.areas[area - 1].key))
       stale.push_back(area);
@@ -70,7 +72,6 @@ RunRecord begun(const Plan& plan) {
   record.unit_assumed = plan.crs.unit_assumed;
   record.points.read = plan.points;
   record.points.rejected = plan.rejected;
-  record.chosen = plan.chosen;
   record.skipped = plan.skipped;
   record.warnings = plan.warnings;
   record.footprints = plan.roofs.footprints;
@@ -99,12 +100,21 @@ void finish_record(const fs::path& staging, const Progress& progress, RunRecord&
   write_run_json(record, staging);
 }
 
+void merge_roofs_alone(const MergeOptions& options, const Plan& plan, const std::vector<std::uint64_t>& areas,
+                       const fs::path& staging, Progress& progress, RunRecord& record) {
+  const MergedRoofs roofs =
+      merge_roofs(options.plan, plan, plan.chosen, parts_of(plan, options.plan), areas, staging, progress, record);
+  const std::uint64_t usable = record.points.read - record.points.rejected_total();
+  record.points.labelled = std::min(roofs.labelled, usable);
+  record.points.unlabelled = usable - record.points.labelled;
+}
+
 int merge_in_arena(const MergeOptions& options, Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   const Plan plan = read_plan(options.plan);
-  const bool roofs = is_of_roofs(plan);
-  if (options.labels && roofs)
-    throw Error("--labels: labelled clouds of a plan of roofs are not built; leave it out", ExitCode::usage);
+  const bool points = carries_points(plan);
+  if (options.labels && !points)
+    throw Error("--labels: the parts of this plan have no points; make it with ilot plan --labels", ExitCode::usage);
   std::vector<std::uint64_t> missing;
   const std::vector<std::uint64_t> areas = areas_with_parts(options, plan, missing);
   const fs::path &out = options.output, staging = out / ".new";
@@ -120,12 +130,12 @@ int merge_in_arena(const MergeOptions& options, Progress& progress) {
     record.skipped.push_back({"area", std::to_string(area), "there is no part of this area of the plan"});
   std::optional<WorkFolder> beside;  // labels are renamed from it to a folder of the plan
   if (options.labels) beside.emplace(options.plan, ".labels-");
-  if (roofs)
-    merge_roofs(options, plan, areas, staging, progress, record);
-  else
+  if (points)
     merge_store(options, plan, areas, beside ? beside->path() / "store" : out / ".store", staging, progress, record);
-  record.threads = roofs ? 1 : thread_count();
-  if (!roofs) record.memory_bytes = options.memory_bytes;
+  else
+    merge_roofs_alone(options, plan, areas, staging, progress, record);
+  record.threads = points ? thread_count() : 1;
+  if (points) record.memory_bytes = options.memory_bytes;
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   finish_record(staging, progress, record);
   swap_result(out, {});

@@ -6,7 +6,7 @@
 
 #include "engine/report/progress.h"
 #include "engine/report/run_record.h"
-#include "engine/scale/merge.h"
+#include "engine/scale/merge/merge.h"
 #include "engine/scale/plan.h"
 
 namespace ilot {
