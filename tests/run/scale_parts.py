@@ -71,7 +71,7 @@ class PartsInAStore(PlanTest):
 
     def test_update_and_make(self):
         self.products = "planes"
-        inputs = self.quarters(self.district(60_000))
+        inputs = self.quarters(self.district(30_000))
         plan, what = self.plan(inputs, "--area-size", 33, "--parts", "s3://bucket/first")
         for area in what["areas"]:
             self.assertIn(self.task(plan, area["area"]).returncode, (0, 3))

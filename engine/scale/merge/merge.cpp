@@ -32,18 +32,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// What stands at the beginning of each part, by area; in a store each takes two requests.
+std::vector<PartState> states_of_parts(const MergeOptions& options, const Plan& plan) {
+  std::vector<PartState> states(plan.areas.size());
+  parallel_for(states.size(), [&](std::size_t i) {
+    const fs::path part = parts_of(plan, options.plan) / std::to_string(i + 1);
+    if (!part_exists(part))
+      states[i] = PartState::missing;
+    else if (RecordFileReader(part, 1u << 12).head() != part_head(plan.areas[i].key))
+      states[i] = PartState::stale;
+    else
+      states[i] = PartState::whole;
+  });
+  return states;
+}
+
 // The areas whose parts are there; throws Error for parts that cannot be merged.
 std::vector<std::uint64_t> areas_with_parts(const MergeOptions& options, const Plan& plan,
                                             std::vector<std::uint64_t>& missing) {
   std::vector<std::uint64_t> found, stale;
-  for (std::uint64_t area = 1; area <= plan.areas.size(); ++area) {
-    const fs::path part = parts_of(plan, options.plan) / std::to_string(area);
-    if (!part_exists(part))
-      missing.push_back(area);
-    else if (RecordFileReader(part, 1u << 12).head() != part_head(plan.areas[area - 1].key))
-      stale.push_back(area);
-    else
-      found.push_back(area);
+  const std::vector<PartState> states = states_of_parts(options, plan);
+  for (std::uint64_t area = 1; area <= states.size(); ++area) {
+    const PartState state = states[area - 1];
+    (state == PartState::missing ? missing : state == PartState::stale ? stale : found).push_back(area);
   }
   const auto named = [](const std::vector<std::uint64_t>& areas) {
     constexpr std::size_t kNamed = 5;
