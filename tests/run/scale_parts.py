@@ -61,7 +61,10 @@ class PartsInAStore(PlanTest):
         self.assertIn("s3://bucket/first/1: cannot be written", full.stderr)
         self.server.full = False
         (stored / "1").write_bytes(part[:-9])
-        self.assertIn("is damaged", self.task(plan, 1).stderr)
+        (plan / "parts").rmdir()
+        (plan / "parts").touch()  # the folder of the plan takes no file
+        again = ilot("task", plan, 1, "--work", self.folder / "work")
+        self.assertIn("is damaged", again.stderr)
         self.assertEqual((stored / "1").read_bytes(), part)
         self.server.fail = 1000
         gone = ilot("merge", plan, "-o", self.folder / "no")
