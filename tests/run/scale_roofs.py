@@ -50,6 +50,14 @@ class PlanOfRoofsAndOthers(RoofsTest):
         self.assertGreater(one["counts"]["roofs"]["buildings"], 3)
         self.assertGreaterEqual(self.equal(one, inputs, 66, *options, clouds=True), 4)
 
+    def test_storeys(self):
+        """Facades, which the merge finds, give storeys to buildings, which the tasks have made."""
+        inputs = self.scan("building", 100_000, storeys=3)
+        self.products = "facades,roofs"
+        one = self.one_run(inputs)
+        self.assertIn('"storeys"', (self.folder / "one/roofs/roofs.city.jsonl").read_text())
+        self.assertGreaterEqual(self.equal(one, inputs, 33), 1)
+
     def test_no_building(self):
         """Footprints that lie elsewhere, and a street without any: what run.json says of it."""
         inputs = self.scan("street-air", 20_000)

@@ -113,8 +113,8 @@ void finish_record(const fs::path& staging, const Progress& progress, RunRecord&
 
 void merge_roofs_alone(const MergeOptions& options, const Plan& plan, const std::vector<std::uint64_t>& areas,
                        const fs::path& staging, Progress& progress, RunRecord& record) {
-  const MergedRoofs roofs =
-      merge_roofs(options.plan, plan, plan.chosen, parts_of(plan, options.plan), areas, staging, progress, record);
+  const MergedRoofs roofs = merge_roofs(options.plan, plan, {plan.chosen, {}}, parts_of(plan, options.plan), areas,
+                                        staging, progress, record);
   const std::uint64_t usable = record.points.read - record.points.rejected_total();
   record.points.labelled = std::min(roofs.labelled, usable);
   record.points.unlabelled = usable - record.points.labelled;

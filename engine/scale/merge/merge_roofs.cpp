@@ -12,6 +12,7 @@
 #include "engine/products/roofs/make_roofs.h"
 #include "engine/products/roofs/product.h"
 #include "engine/products/roofs/roof_sink.h"
+#include "engine/products/roofs/solids/storeys.h"
 #include "engine/scale/parts/part_file.h"
 #include "engine/scale/records.h"
 #include "engine/scale/site_records.h"
@@ -45,6 +46,7 @@ struct MergedSite {
   std::uint64_t number = 0;
   bool outside = false;
   BuiltSite built;
+  PlacedOutline outline;
 };
 
 // The buildings of one part, one for each own site of the area.
@@ -69,14 +71,14 @@ class PartReader {
   void advance() {
     try {
       const auto record = file_.next();
-      const auto site = sites_.next();
+      auto site = sites_.next();
       ended_ = !record || is_summary(*record);
       if (ended_ == site.has_value()) damaged();  // not one building for each site
       if (record && ended_) {
         shifts_ = summary_of(*record).shifts;
         file_.next();  // the end, which proves that the file is whole
       }
-      if (!ended_) next_ = {site->number, site->outside, built_site(*record)};
+      if (!ended_) next_ = {site->number, site->outside, built_site(*record), std::move(site->site.outline)};
     } catch (const nlohmann::json::exception&) {
       damaged();
     }
@@ -99,7 +101,8 @@ struct Merged {
 
 // Hands the buildings of all parts to the sink in the order of their numbers.
 Merged merge_buildings(const fs::path& folder, const Plan& plan, const fs::path& from,
-                       const std::vector<std::uint64_t>& areas, RoofSink& sink, Progress& progress) {
+                       const std::vector<std::uint64_t>& areas, const StoreyCounter& counter, RoofSink& sink,
+                       Progress& progress) {
   // Choice: some records fit, and 10,000 parts take 320 MiB at most; with fewer parts each gets more.
   constexpr std::size_t kLeastBuffer = 1u << 15, kMostBuffer = 1u << 20, kAllBuffers = 64u << 20;
   const std::size_t buffer = std::clamp(kAllBuffers / areas.size(), kLeastBuffer, kMostBuffer);
@@ -128,6 +131,8 @@ Merged merge_buildings(const fs::path& folder, const Plan& plan, const fs::path&
       merged.names.all.insert(id);
       if (site.outside) merged.names.beyond.insert(id);
     }
+    if (const auto storeys = counter.storeys(site.outline))
+      site.built.result.levels[0].attributes.emplace_back("storeys", *storeys);
     sink.take(site.built.result);
     progress.advance(1);
   }
@@ -152,14 +157,15 @@ std::vector<PlannedSite> sites_of(const fs::path& plan, const std::vector<std::u
 
 }  // namespace
 
-MergedRoofs merge_roofs(const fs::path& folder, const Plan& plan, const std::vector<ChosenRecord>& chosen,
-                        const fs::path& parts, const std::vector<std::uint64_t>& areas, const fs::path& staging,
-                        Progress& progress, RunRecord& record) {
-  record.chosen.insert(record.chosen.end(), chosen.begin(), chosen.end());
+MergedRoofs merge_roofs(const fs::path& folder, const Plan& plan, const ToldOfRoofs& told, const fs::path& parts,
+                        const std::vector<std::uint64_t>& areas, const fs::path& staging, Progress& progress,
+                        RunRecord& record) {
+  record.chosen.insert(record.chosen.end(), told.chosen.begin(), told.chosen.end());
   fs::create_directories(staging / "roofs");
   RoofSink sink(staging / "roofs", roof_files_params(plan.roofs.frame, plan.settings, plan.crs), plan.crs, nullptr,
                 record);
-  Merged merged = merge_buildings(folder, plan, parts, areas, sink, progress);
+  const StoreyCounter counter(told.openings, plan.crs.metres_per_unit);
+  Merged merged = merge_buildings(folder, plan, parts, areas, counter, sink, progress);
   sink.finish();
   const bool given = plan.roofs.footprints.has_value();
   if (given) {

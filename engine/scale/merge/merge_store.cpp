@@ -61,7 +61,7 @@ void merge_store(const MergeOptions& options, const Plan& plan, const std::vecto
   const std::vector<const Product*> products = products_to_make(plan.products);
   const auto make = [&](const Product& product) {
     if (&product != &roofs_product()) return product.make(work);
-    const MergedRoofs roofs = merge_roofs(options.plan, plan, chosen_of_roofs(plan, store, context),
+    const MergedRoofs roofs = merge_roofs(options.plan, plan, {chosen_of_roofs(plan, store, context), work.openings},
                                           folder / kBuildingsOfParts, areas, staging, progress, record);
     merge_roof_labels(store, folder / kLabelsOfParts, areas, roofs, context);
   };
