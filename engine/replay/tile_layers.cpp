@@ -21,12 +21,11 @@ TileBox box_of(const TileReplay& replay) {
 
 // Returns the object candidates: the parts and their joins. Selected candidates have the column "taken" set.
 Layer thing_layer(const TileReplay& replay) {
-  Layer layer{
-      "candidates",
-      LayerShape::point,
-      false,
-      {"candidate", "taken", "part_1", "part_2", "object", "label", "probability", "whole", "part", "merged", "points"},
-      {}};
+  Layer layer{"candidates",
+              LayerShape::point,
+              false,
+              {"candidate", "taken", "part_1", "part_2", "object", "label", "probability", "whole", "part", "merged"},
+              {}};
   for (std::size_t f = 0; f < kCandidateFeatures; ++f) layer.fields.push_back(candidate_feature_name(f));
   const StreetSteps& steps = replay.steps;
   const TileRaster& raster = *steps.raster;
@@ -36,10 +35,10 @@ Layer thing_layer(const TileReplay& replay) {
     const Vec3 base{raster.crs_x(t.x + 0.5), raster.crs_y(t.y + 0.5), t.ground * raster.unit};
     if (!box.holds(base)) continue;
     const CandidateClass& c = steps.classes[i];
-    LayerFeature feature{{{base}},
-                         {static_cast<std::int64_t>(i + 1), steps.taken[i] != 0, std::int64_t{t.parts[0]},
-                          std::int64_t{t.parts[1]}, std::int64_t{steps.object_of[i + 1]}, class_name_of(c.label, {}),
-                          c.probability, c.whole, c.part, c.merged, static_cast<std::int64_t>(t.points)}};
+    LayerFeature feature{
+        {{base}},
+        {static_cast<std::int64_t>(i + 1), steps.taken[i] != 0, std::int64_t{t.parts[0]}, std::int64_t{t.parts[1]},
+         std::int64_t{steps.object_of[i + 1]}, class_name_of(c.label, {}), c.probability, c.whole, c.part, c.merged}};
     for (const double value : t.features) feature.values.emplace_back(value);
     layer.features.push_back(std::move(feature));
   }
