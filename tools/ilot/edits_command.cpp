@@ -101,7 +101,8 @@ void add_edits_command(CLI::App& app, Action& action) {
       ->add_option(
           "--training", given->training,
           "tables of edits: writes the places of street objects whose class they say, for ilot run --train [none]")
-      ->option_text("TABLE");
+      ->option_text("TABLE")
+      ->excludes("--from-drawing");
   command
       ->add_option("-o,--output", given->output,
                    "the table, CSV, for ilot run --edits, or the places for ilot run --train [none]")

@@ -219,11 +219,19 @@ namespace {
 
 // Tells what became of the edits that merge faces, in their order. Those of sites that were not modelled are outside of
 // the part of the cloud that is asked for.
-void tally_merges(const RoofSetup& setup, std::vector<std::vector<EditResult>>& by_site, EditTally tally) {
+void tally_merges(const RoofSetup& setup, const PassContext& context,
+                  const std::vector<std::vector<EditResult>>& by_site, EditTally tally) {
+  const auto outside = [&](Vec3 p) {
+    const double unit = setup.work.store.unit();
+    return context.wanted && !context.wanted({std::llround(p.x / unit), std::llround(p.y / unit), 0});
+  };
   std::map<std::size_t, std::size_t> told;  // edits of each site
   for (const PlannedMerge& merge : setup.merges) {
     if (!merge.site) {
-      tally.without_partner(*merge.edit, merge.reason);
+      if (outside(merge.edit->at[0]))
+        tally.outside();
+      else
+        tally.without_partner(*merge.edit, merge.reason);
       continue;
     }
     const std::vector<EditResult>& results = by_site[*merge.site];
@@ -258,7 +266,7 @@ void make_roofs(const Store& store, std::span<const PlannedSite> sites, std::spa
                           result.levels[0].attributes.emplace_back("storeys", *storeys);
                         sink.take(result);
                       });
-  tally_merges(setup, merges, {out.progress, out.record});
+  tally_merges(setup, context, merges, {out.progress, out.record});
   if (given) record_misalignment(shifts, out.progress, out.record);
   sink.finish();
   labels.write_columns(context, [&](std::uint32_t block) { return labels_of_others(setup.work, context, block); });

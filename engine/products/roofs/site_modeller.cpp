@@ -108,6 +108,7 @@ RoofModel SiteModeller::model_of(const GatheredSite& gathered, RoofSteps* steps)
     RoofModel model;
     model.face_of_point.assign(gathered.site.beside.size(), 0);
     model.reason = why_empty(gathered);
+    model.merges.assign(gathered.site.merges.size(), {EditOutcome::without_partner, kNoFacesToMerge});
     return model;
   }
   const SolidCheck check = [&](const Building& b) {

@@ -83,6 +83,7 @@ std::string edit_fault(const Edit& edit, const EditRule& rule) {
   if (edit.to.size() != rule.to) return what + counted_places(rule.to, rule.heights, "to_");
   if (rule.kind && edit.kind.empty()) return what + "a kind";
   if (rule.to_kind && edit.to_kind.empty()) return what + "a to_kind";
+  if (edit.action == split && !edit.to_kind.empty()) return "split has no to_kind; a later line can set the class";
   if (rule.area == edit.area.rings.empty()) return what + (rule.area ? "an area, POLYGON ((x y, ...))" : "no area");
   if (edit.product == "facades" && edit.action != side) {
     if (!has_size(edit.at)) return "the corners of an opening are two opposite ones, at different places and heights";

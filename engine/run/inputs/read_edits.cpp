@@ -16,6 +16,8 @@
 namespace ilot {
 namespace {
 
+// Choice: coordinates of the earth are below 1e8 in feet.
+constexpr double kFarthest = 1e9;  // units of the CRS
 constexpr std::uintmax_t kMostEditBytes = 64u << 20;
 
 [[noreturn]] void refuse_edit(const std::string& where, const std::string& what) {
@@ -85,6 +87,8 @@ class EditRow {
     double value = 0;
     if (!parse_number(given, value) || !std::isfinite(value))
       refuse_edit(where_, column + ": \"" + text(column.c_str()) + "\" is not a number");
+    if (std::abs(value) > kFarthest)
+      refuse_edit(where_, column + ": \"" + text(column.c_str()) + "\" is farther away than any place on earth");
     return value;
   }
 

@@ -98,6 +98,8 @@ TEST(ReadEdits, FaultsNameTheLineAndWhatToDo) {
   EXPECT_EQ(fault_of("product,edit,edit\n").rfind(":1: the column \"edit\" comes twice", 0), 0u);
   EXPECT_EQ(fault_of(kHead + "facades,added,window,1,2,3,4,5\n").rfind(":2: a place needs x2, y2 and z2", 0), 0u);
   EXPECT_EQ(fault_of(kHead + "facades,added,window,1,2,3,4,5,six\n"), ":2: z2: \"six\" is not a number");
+  EXPECT_EQ(fault_of(kHead + "facades,added,window,1e300,2,3,4,5,6\n").rfind(":2: x1: \"1e300\" is farther away", 0),
+            0u);
   EXPECT_EQ(fault_of(kHead + "facades,added,,1,2,3,4,5,6\n"), ":2: added of facades needs a kind");
   EXPECT_EQ(fault_of(kHead + "facades,added,balcony,1,2,3,4,5,6\n").rfind(":2: \"balcony\" is no kind", 0), 0u);
   EXPECT_EQ(

@@ -41,8 +41,9 @@ std::vector<std::size_t> ClassEdits::near(const IndexBox& box) const {
 
 bool ClassEdits::contains(std::size_t i, Index3 point) const {
   const Edit& edit = *edits_[i];
-  const double z = static_cast<double>(point.z) * unit_;
-  if ((edit.low && z < *edit.low) || (edit.high && z > *edit.high)) return false;
+  // Half a step more: a height of the table and that of the lattice differ by rounding.
+  const double z = static_cast<double>(point.z) * unit_, half = unit_ / 2;
+  if ((edit.low && z < *edit.low - half) || (edit.high && z > *edit.high + half)) return false;
   return edit.area.contains(static_cast<double>(point.x) * unit_, static_cast<double>(point.y) * unit_);
 }
 
@@ -71,23 +72,24 @@ std::vector<std::uint64_t> edit_roles(const Store& store, const ClassEdits& edit
     tasks.push_back({points * kBytesOfPoint, points});
     blocks.push_back({b, std::move(near)});
   }
-  std::vector<std::vector<std::uint64_t>> counts(blocks.size(), std::vector<std::uint64_t>(edits.size(), 0));
+  std::vector<std::vector<std::uint64_t>> counts(blocks.size());  // by the place of the edit in `near`
   run_pass(tasks, context.budget_bytes, [&](std::size_t task) {
     const auto& [block, near] = blocks[task];
+    counts[task].assign(near.size(), 0);
     const Tile tile = store.blocks()[block].node.tile;
     const std::vector<std::uint64_t> codes = store.read(block, columns::kCodes);
     std::vector<PointRole> roles = store.read(block, columns::kRole);
     for (std::size_t i = 0; i < codes.size(); ++i)
-      for (const std::size_t edit : near) {
-        if (!edits.contains(edit, index_of({tile, codes[i]}))) continue;
-        roles[i] = edits.role(edit);
-        ++counts[task][edit];
+      for (std::size_t n = 0; n < near.size(); ++n) {
+        if (!edits.contains(near[n], index_of({tile, codes[i]}))) continue;
+        roles[i] = edits.role(near[n]);
+        ++counts[task][n];
       }
     store.write(block, columns::kRole, roles);
   });
   std::vector<std::uint64_t> points(edits.size(), 0);
-  for (const auto& count : counts)
-    for (std::size_t i = 0; i < points.size(); ++i) points[i] += count[i];
+  for (std::size_t task = 0; task < blocks.size(); ++task)
+    for (std::size_t n = 0; n < counts[task].size(); ++n) points[blocks[task].near[n]] += counts[task][n];
   return points;
 }
 

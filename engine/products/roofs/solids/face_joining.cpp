@@ -84,7 +84,7 @@ std::uint32_t face_above(const RoofFaceMap& map, FlatPoint place) {
 EditResult join_planes_of_faces(const RoofModel& model, const FaceMerge& merge, std::span<const Vec3> points,
                                 PlanesWithMerges& joined) {
   const auto refused = [](const char* reason) { return EditResult{EditOutcome::without_partner, reason}; };
-  if (model.status != RoofStatus::lod22) return refused("the building has no faces of a roof");
+  if (model.status != RoofStatus::lod22) return refused(kNoFacesToMerge);
   const std::uint32_t first = face_above(model.map, merge.first), second = face_above(model.map, merge.second);
   if (first == kOutside || second == kOutside) return refused("a place of this edit is on no face of the roof");
   if (first == second) return {EditOutcome::repeated, {}};

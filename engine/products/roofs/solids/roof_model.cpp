@@ -294,7 +294,11 @@ EditResult merge_faces(const FaceMerge& merge, const RoofSite& site, const RoofM
   RoofSteps steps_after;
   RoofModel after =
       model_of_planes(site, joined, params, metres_per_unit, check, steps == nullptr ? nullptr : &steps_after);
-  const std::uint32_t face = after.status == RoofStatus::lod22 ? face_above(after.map, merge.first) : kOutside;
+  if (after.status != RoofStatus::lod22) {
+    joined = std::move(before);
+    return {EditOutcome::without_partner, "with these faces as one the roof has no solid: " + after.reason};
+  }
+  const std::uint32_t face = face_above(after.map, merge.first);
   if (face == kOutside || face_above(after.map, merge.second) != face) {
     joined = std::move(before);
     return {EditOutcome::without_partner, "the faces of this edit do not touch, or a third one lies between them"};
@@ -325,7 +329,7 @@ RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double
                      const SolidCheck& check, RoofSteps* steps) {
   RoofModel model;
   model.face_of_point.assign(site.points.size() + site.beside.size(), 0);
-  model.merges.assign(site.merges.size(), {EditOutcome::without_partner, "the building has no faces of a roof"});
+  model.merges.assign(site.merges.size(), {EditOutcome::without_partner, kNoFacesToMerge});
   if (site.outline.empty() || area_of(site.outline) < kLeastOutline) {
     model.reason = "the outline has no area";
     return model;

@@ -23,6 +23,9 @@ enum class RoofStatus : std::uint8_t {
   footprint_only,  // no solid
 };
 
+// Why faces of a building without LoD2.2 cannot be merged.
+constexpr const char* kNoFacesToMerge = "the building has no faces of a roof";
+
 // The faces of a roof as seen from above. Points to which no plane was fitted are measured against them.
 struct RoofFaceMap {
   Partition faces;                    // regions are the faces of lod22, numbered as there

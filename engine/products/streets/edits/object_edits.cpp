@@ -120,8 +120,9 @@ class ObjectEditor {
 
   // The run found by itself what the edit adds: only its class may be another one.
   EditResult again(const Edit& edit, std::uint32_t number) {
-    if (o_.classes[number - 1].label == *label_named(edit.kind)) return {EditOutcome::repeated, {}};
-    return name(edit, number, edit.kind);
+    if (o_.classes[number - 1].label != *label_named(edit.kind)) return name(edit, number, edit.kind);
+    decide(edit, number, *label_named(edit.kind));  // it stays, however long it is
+    return {EditOutcome::repeated, {}};
   }
 
   EditResult name(const Edit& edit, std::uint32_t number, const std::string& kind) {
@@ -148,6 +149,7 @@ class ObjectEditor {
   }
 
   EditResult merge(const Edit& edit, std::uint32_t a, std::uint32_t b) {
+    if (a == b && !edit.to_kind.empty()) return name(edit, a, edit.to_kind);
     if (a == b) return {EditOutcome::repeated, {}};
     if (!is_object(a) && edit.to_kind.empty())
       return {EditOutcome::without_partner, "no object stands at its first place; to_kind says what both are"};
@@ -180,13 +182,16 @@ class ObjectEditor {
       return {EditOutcome::without_partner, "what stands at both places is one part, which has no border inside"};
     if (whole(a) != whole(b)) return {EditOutcome::repeated, {}};
     const CandidateClass of_both = o_.classes[whole(a) - 1];
+    if (!is_object(whole(a))) return {EditOutcome::without_partner, "no object stands at its places"};
+    const Edit* earlier = edit_of_[whole(a) - 1];
+    const bool named = earlier != nullptr && decides_class(*earlier);  // the parts are what a person called the whole
     while (whole(a) == whole(b)) {
       const std::uint32_t number = whole(a);
       o_.taken[number - 1] = 0;
       for (const std::uint32_t part : o_.candidates[number - 1].parts) {
         o_.taken[part - 1] = 1;
         joined_by_[part - 1] = number;
-        if (!is_object(part)) o_.classes[part - 1] = of_both;
+        if (named || !is_object(part)) o_.classes[part - 1] = of_both;
         o_.by_hand[part - 1] = 1;
         edit_of_[part - 1] = &edit;
       }

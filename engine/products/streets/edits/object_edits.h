@@ -25,12 +25,13 @@ struct SelectedObjects {
 using PartAt = std::function<std::uint32_t(Vec3 place)>;
 
 // Makes the edits in their order; each acts on what the earlier ones leave.
-//  - added, kind: the whole candidate at the place is an object of the class; added needs that it is none yet.
+//  - added, kind: the whole candidate at the place is an object of the class. An object that was found so is `repeated`
+//    for added, and by hand from then on.
 //  - deleted: it is no object.
 //  - merged: the whole candidates at both places are one object, of the class of the first place or of to_kind. Where
 //  no
 //    join has just these two, one is appended to the candidates.
-//  - split: the whole candidate at both places is divided where its tree of joins separates them.
+//  - split: the object at both places is divided where its tree of joins separates them.
 // Throws a usage Error for two edits that give one object two classes. `pixel` is in metres.
 // O(candidates + edits x depth of the trees).
 std::vector<EditResult> edit_objects(std::span<const Edit* const> edits, const PartAt& part_at, double pixel,

@@ -129,6 +129,23 @@ TEST(ObjectEdits, MergedObjectsAreOneWithTheMomentsOfBoth) {
   EXPECT_EQ(join.features[static_cast<std::size_t>(ComponentFeature::max_height)], 3);
 }
 
+TEST(ObjectEdits, EditsOfWhatAPersonNamedKeepTheName) {
+  SelectedObjects o = selection();
+  o.classes[0].label = PointLabel::bin;
+  made({edit_at(EditAction::kind, {0}, "", "van"), edit_at(EditAction::split, {0, 20})}, o);
+  EXPECT_EQ(o.classes[4].label, PointLabel::van);
+  EXPECT_EQ(o.classes[2].label, PointLabel::van);
+  SelectedObjects p = selection();
+  EXPECT_EQ(made({edit_at(EditAction::merged, {0, 20}, "", "fence")}, p)[0].outcome, EditOutcome::made);
+  EXPECT_EQ(p.classes[5].label, PointLabel::fence) << "both places are in one object already";
+  SelectedObjects q = selection();
+  EXPECT_EQ(made({edit_at(EditAction::added, {0}, "car")}, q)[0].outcome, EditOutcome::repeated);
+  EXPECT_EQ(q.by_hand[5], 1) << "however long it is";
+  SelectedObjects r = selection();
+  EXPECT_EQ(made({edit_at(EditAction::deleted, {0}), edit_at(EditAction::split, {0, 20})}, r)[1].outcome,
+            EditOutcome::without_partner);
+}
+
 TEST(ObjectEdits, AJoinThatIsThereIsTaken) {
   SelectedObjects o = selection();
   made({edit_at(EditAction::split, {0, 20}), edit_at(EditAction::merged, {0, 20})}, o);
