@@ -48,10 +48,7 @@ class RoleFinder {
     for (const Block& b : store_.blocks()) tasks.push_back({b.points * kRoleBytesPerPoint, b.points});
     std::vector<RoleCounts> counts(tasks.size());
     run_pass(tasks, context_.budget_bytes, [&](std::size_t i) { counts[i] = rewrite(static_cast<std::uint32_t>(i)); });
-    RoleCounts all{};
-    for (const RoleCounts& c : counts)
-      for (std::size_t role = 0; role < all.size(); ++role) all[role] += c[role];
-    return all;
+    return sum_of(counts);
   }
 
  private:

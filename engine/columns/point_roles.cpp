@@ -30,6 +30,10 @@ RoleCounts write_roles(const Store& store, const std::array<PointRole, 256>& rol
     }
     store.write(block, columns::kRole, column);
   });
+  return sum_of(counts);
+}
+
+RoleCounts sum_of(std::span<const RoleCounts> counts) {
   RoleCounts all{};
   for (const RoleCounts& c : counts)
     for (std::size_t role = 0; role < all.size(); ++role) all[role] += c[role];

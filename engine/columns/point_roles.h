@@ -27,6 +27,9 @@ using RoleCounts = std::array<std::uint64_t, 4>;
 // Writes the column "role" (PointRole) of every block from its "class".
 RoleCounts write_roles(const Store& store, const std::array<PointRole, 256>& roles, const PassContext& context);
 
+// Sums the counts of blocks.
+RoleCounts sum_of(std::span<const RoleCounts> counts);
+
 inline std::uint64_t count_of(const RoleCounts& counts, PointRole role) {
   return counts[static_cast<std::size_t>(role)];
 }

@@ -144,7 +144,8 @@ void put_remote(const std::filesystem::path& from, const std::filesystem::path& 
   const CPLErrorHandlerPusher silent(CPLQuietErrorHandler);
   use_gdal();
   const InputFile file(from);
-  VSILFILE* const out = VSIFOpenL(virtual_name_of(to.string()).c_str(), "wb");
+  const std::string virtual_name = virtual_name_of(to.string());
+  VSILFILE* const out = VSIFOpenL(virtual_name.c_str(), "wb");
   if (out == nullptr) fail(to.string(), "cannot be written");
   std::vector<std::byte> bytes(std::size_t{1} << 20);
   bool taken = true;
@@ -153,7 +154,9 @@ void put_remote(const std::filesystem::path& from, const std::filesystem::path& 
     taken = got > 0 && VSIFWriteL(bytes.data(), 1, got, out) == got;
     at += got;
   }
+  const bool read = taken;
   taken = VSIFCloseL(out) == 0 && taken && CPLGetLastErrorType() != CE_Failure;
+  if (!read) VSIUnlink(virtual_name.c_str());  // closing has sent what there was
   if (!taken) fail(to.string(), "cannot be written");
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/products/product_edits.h"
 
+#include <cmath>
+
 #include "engine/error.h"
 
 namespace ilot {
@@ -10,6 +12,12 @@ std::vector<const Edit*> edits_of(std::span<const Edit> edits, const char* produ
   for (const Edit& edit : edits)
     if (edit.product == product) own.push_back(&edit);
   return own;
+}
+
+bool lies_outside(const Edit& edit, const PassContext& context, double unit) {
+  const auto steps = [&](double v) { return std::llround(v / unit); };
+  const Vec3& p = edit.at[0];
+  return context.wanted && !context.wanted({steps(p.x), steps(p.y), steps(p.z)});
 }
 
 void refuse_contradiction(const Edit& earlier, const Edit& later) {

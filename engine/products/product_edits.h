@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/model/edit.h"
+#include "engine/pass/context.h"
 #include "engine/report/progress.h"
 #include "engine/report/run_record.h"
 
@@ -13,6 +14,10 @@ namespace ilot {
 
 // The edits of one product, in their order. They must outlive the result.
 std::vector<const Edit*> edits_of(std::span<const Edit> edits, const char* product);
+
+// Whether an edit is of places outside of the wanted part of the cloud: its first place decides. `unit` is that of the
+// store.
+bool lies_outside(const Edit& edit, const PassContext& context, double unit);
 
 // Throws a usage Error that names both lines: the later edit does not fit to what the earlier one says of the same
 // thing.

@@ -29,10 +29,8 @@ FacadeEditStep::FacadeEditStep(std::span<const Edit> edits, std::span<WallGroup>
                                double unit, EditTally tally)
     : tally_(tally) {
   params_.metres_per_unit = context.metres_per_unit;
-  const auto steps = [&](double v) { return std::llround(v / unit); };
   for (const Edit* edit : edits_of(edits, "facades")) {
-    const Vec3& p = edit->at[0];
-    if (context.wanted && !context.wanted({steps(p.x), steps(p.y), steps(p.z)}))
+    if (lies_outside(*edit, context, unit))
       tally_.outside();
     else
       edits_.push_back(edit);

@@ -221,21 +221,17 @@ namespace {
 // the part of the cloud that is asked for.
 void tally_merges(const RoofSetup& setup, const PassContext& context,
                   const std::vector<std::vector<EditResult>>& by_site, EditTally tally) {
-  const auto outside = [&](Vec3 p) {
-    const double unit = setup.work.store.unit();
-    return context.wanted && !context.wanted({std::llround(p.x / unit), std::llround(p.y / unit), 0});
-  };
-  std::map<std::size_t, std::size_t> told;  // edits of each site
+  std::map<std::size_t, std::size_t> counted;  // edits of each site
   for (const PlannedMerge& merge : setup.merges) {
     if (!merge.site) {
-      if (outside(merge.edit->at[0]))
+      if (lies_outside(*merge.edit, context, setup.work.store.unit()))
         tally.outside();
       else
         tally.without_partner(*merge.edit, merge.reason);
       continue;
     }
     const std::vector<EditResult>& results = by_site[*merge.site];
-    const std::size_t number = told[*merge.site]++;
+    const std::size_t number = counted[*merge.site]++;
     if (number >= results.size())
       tally.outside();
     else
@@ -262,8 +258,7 @@ void make_roofs(const Store& store, std::span<const PlannedSite> sites, std::spa
       model_buildings(setup, wanted, given ? sample_of_sites(wanted.size()) : std::vector<std::size_t>{}, context,
                       out.progress, labels, [&](std::size_t place, SiteResult& result) {
                         if (!merges.empty()) merges[wanted[place]] = result.merges;
-                        if (const auto storeys = counter.storeys(sites[wanted[place]].outline))
-                          result.levels[0].attributes.emplace_back("storeys", *storeys);
+                        counter.add_to(result.levels[0].attributes, sites[wanted[place]].outline);
                         sink.take(result);
                       });
   tally_merges(setup, context, merges, {out.progress, out.record});

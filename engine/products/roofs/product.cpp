@@ -63,11 +63,7 @@ void make_roles(ProductRun& run) {
   const std::optional<RoleCounts> counted = make_roof_roles(run.store, run.settings, run.context, run.progress);
   edit_classes(run);
   if (!counted) return;
-  const RoleCounts& found = *counted;
-  run.record.chosen.push_back(
-      {"roofs.trust_classes", std::string("false"),
-       "no point of classes.building is used; found by shape: " + grouped(count_of(found, PointRole::ground)) +
-           " points of the ground and " + grouped(count_of(found, PointRole::building)) + " of buildings"});
+  run.record.chosen.push_back({"roofs.trust_classes", std::string("false"), found_by_shape(*counted)});
 }
 
 // One line for all outlines of clusters that have no model, the most frequent reason first.

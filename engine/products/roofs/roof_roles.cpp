@@ -3,6 +3,7 @@
 
 #include "engine/columns/found_roles.h"
 #include "engine/columns/normals_pass.h"
+#include "engine/report/counted.h"
 
 namespace ilot {
 
@@ -20,6 +21,11 @@ std::optional<RoleCounts> make_roof_roles(const Store& store, const Settings& se
       find_roles(store, {advanced.ground_within, advanced.least_height, advanced.smoothness}, context);
   progress.end_stage();
   return found;
+}
+
+std::string found_by_shape(const RoleCounts& found) {
+  return "no point of classes.building is used; found by shape: " + grouped(count_of(found, PointRole::ground)) +
+         " points of the ground and " + grouped(count_of(found, PointRole::building)) + " of buildings";
 }
 
 double reach_of_found_roles(const Settings& settings) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <optional>
+#include <string>
 
 #include "engine/columns/point_roles.h"
 #include "engine/pass/context.h"
@@ -14,6 +15,9 @@ namespace ilot {
 // that was taken for a larger cloud of which this store has a part; without it the store decides.
 std::optional<RoleCounts> make_roof_roles(const Store& store, const Settings& settings, const PassContext& context,
                                           Progress& progress, std::optional<bool> by_shape = {});
+
+// Why roles were found by shape, with their numbers.
+std::string found_by_shape(const RoleCounts& found);
 
 // How far around a point others may change its found role, in metres: the windows of the ground, the mask of buildings
 // and the neighbours of normals.

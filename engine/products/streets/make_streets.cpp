@@ -241,8 +241,7 @@ SelectedObjects selected_objects(const StreetClasses& model, std::span<const Edi
   selected.by_hand.assign(street.candidates.size(), 0);
   std::vector<const Edit*> edits = edits_of(all, "streets");
   std::erase_if(edits, [&](const Edit* edit) {
-    const Vec3& p = edit->at[0];
-    const bool outside = context.wanted && !context.wanted({std::llround(p.x / unit), std::llround(p.y / unit), 0});
+    const bool outside = lies_outside(*edit, context, unit);
     if (outside) tally.outside();
     return outside;
   });

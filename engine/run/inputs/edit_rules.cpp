@@ -14,18 +14,18 @@ namespace {
 using enum EditAction;
 
 constexpr std::array kRules{
-    EditRule{"facades", added, 2, 0, true, false, true, false},
-    EditRule{"facades", deleted, 2, 0, false, false, true, false},
-    EditRule{"facades", moved, 2, 2, false, false, true, false},
-    EditRule{"facades", kind, 2, 0, false, true, true, false},
-    EditRule{"facades", side, 2, 0, false, false, true, false},
-    EditRule{"streets", added, 1, 0, true, false, false, false},
-    EditRule{"streets", deleted, 1, 0, false, false, false, false},
-    EditRule{"streets", kind, 1, 0, false, true, false, false},
-    EditRule{"streets", merged, 2, 0, false, false, false, false},
-    EditRule{"streets", split, 2, 0, false, false, false, false},
-    EditRule{"roofs", kind, 0, 0, false, true, false, true},
-    EditRule{"roofs", merged, 2, 0, false, false, false, false},
+    EditRule{"facades", added, 2, 0, true, Needed::no, true, false},
+    EditRule{"facades", deleted, 2, 0, false, Needed::no, true, false},
+    EditRule{"facades", moved, 2, 2, false, Needed::possible, true, false},
+    EditRule{"facades", kind, 2, 0, false, Needed::yes, true, false},
+    EditRule{"facades", side, 2, 0, false, Needed::no, true, false},
+    EditRule{"streets", added, 1, 0, true, Needed::no, false, false},
+    EditRule{"streets", deleted, 1, 0, false, Needed::no, false, false},
+    EditRule{"streets", kind, 1, 0, false, Needed::yes, false, false},
+    EditRule{"streets", merged, 2, 0, false, Needed::possible, false, false},
+    EditRule{"streets", split, 2, 0, false, Needed::no, false, false},
+    EditRule{"roofs", kind, 0, 0, false, Needed::yes, false, true},
+    EditRule{"roofs", merged, 2, 0, false, Needed::no, false, false},
 };
 
 constexpr std::array<const char*, 4> kOpenings{"window", "door", "shop", "opening"};
@@ -82,8 +82,8 @@ std::string edit_fault(const Edit& edit, const EditRule& rule) {
   if (edit.at.size() != rule.at) return what + counted_places(rule.at, rule.heights, "");
   if (edit.to.size() != rule.to) return what + counted_places(rule.to, rule.heights, "to_");
   if (rule.kind && edit.kind.empty()) return what + "a kind";
-  if (rule.to_kind && edit.to_kind.empty()) return what + "a to_kind";
-  if (edit.action == split && !edit.to_kind.empty()) return "split has no to_kind; a later line can set the class";
+  if (rule.to_kind == Needed::yes && edit.to_kind.empty()) return what + "a to_kind";
+  if (rule.to_kind == Needed::no && !edit.to_kind.empty()) return what + "no to_kind";
   if (rule.area == edit.area.rings.empty()) return what + (rule.area ? "an area, POLYGON ((x y, ...))" : "no area");
   if (edit.product == "facades" && edit.action != side) {
     if (!has_size(edit.at)) return "the corners of an opening are two opposite ones, at different places and heights";

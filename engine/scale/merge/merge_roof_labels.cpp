@@ -10,7 +10,7 @@
 #include "engine/error.h"
 #include "engine/pass/pass.h"
 #include "engine/products/roofs/roof_labels.h"
-#include "engine/report/counted.h"
+#include "engine/products/roofs/roof_roles.h"
 #include "engine/scale/parts/roof_label_records.h"
 #include "engine/scale/records.h"
 #include "engine/store/column_file.h"
@@ -134,10 +134,7 @@ RoleCounts count_roles(const Store& store, const PassContext& context) {
     for (const PointRole role : store.read(static_cast<std::uint32_t>(i), columns::kRole))
       ++counts[i].at(static_cast<std::size_t>(role));
   });
-  RoleCounts all{};
-  for (const RoleCounts& c : counts)
-    for (std::size_t role = 0; role < all.size(); ++role) all[role] += c[role];
-  return all;
+  return sum_of(counts);
 }
 
 }  // namespace
@@ -145,12 +142,9 @@ RoleCounts count_roles(const Store& store, const PassContext& context) {
 std::vector<ChosenRecord> chosen_of_roofs(const Plan& plan, const Store& store, const PassContext& context) {
   std::vector<ChosenRecord> chosen = plan.chosen;
   if (!plan.roofs.by_shape) return chosen;
-  const RoleCounts found = count_roles(store, context);
+  const std::string why = found_by_shape(count_roles(store, context));
   for (ChosenRecord& record : chosen)
-    if (record.key == "roofs.trust_classes")
-      record.why =
-          "no point of classes.building is used; found by shape: " + grouped(count_of(found, PointRole::ground)) +
-          " points of the ground and " + grouped(count_of(found, PointRole::building)) + " of buildings";
+    if (record.key == "roofs.trust_classes") record.why = why;
   return chosen;
 }
 

@@ -131,8 +131,7 @@ Merged merge_buildings(const fs::path& folder, const Plan& plan, const fs::path&
       merged.names.all.insert(id);
       if (site.outside) merged.names.beyond.insert(id);
     }
-    if (const auto storeys = counter.storeys(site.outline))
-      site.built.result.levels[0].attributes.emplace_back("storeys", *storeys);
+    counter.add_to(site.built.result.levels[0].attributes, site.outline);
     sink.take(site.built.result);
     progress.advance(1);
   }
@@ -157,14 +156,14 @@ std::vector<PlannedSite> sites_of(const fs::path& plan, const std::vector<std::u
 
 }  // namespace
 
-MergedRoofs merge_roofs(const fs::path& folder, const Plan& plan, const ToldOfRoofs& told, const fs::path& parts,
+MergedRoofs merge_roofs(const fs::path& folder, const Plan& plan, const MergedForRoofs& other, const fs::path& parts,
                         const std::vector<std::uint64_t>& areas, const fs::path& staging, Progress& progress,
                         RunRecord& record) {
-  record.chosen.insert(record.chosen.end(), told.chosen.begin(), told.chosen.end());
+  record.chosen.insert(record.chosen.end(), other.chosen.begin(), other.chosen.end());
   fs::create_directories(staging / "roofs");
   RoofSink sink(staging / "roofs", roof_files_params(plan.roofs.frame, plan.settings, plan.crs), plan.crs, nullptr,
                 record);
-  const StoreyCounter counter(told.openings, plan.crs.metres_per_unit);
+  const StoreyCounter counter(other.openings, plan.crs.metres_per_unit);
   Merged merged = merge_buildings(folder, plan, parts, areas, counter, sink, progress);
   sink.finish();
   const bool given = plan.roofs.footprints.has_value();

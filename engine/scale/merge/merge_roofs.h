@@ -21,8 +21,8 @@ struct MergedRoofs {
   std::uint64_t labelled = 0;                         // points; one in two outlines counts for both buildings
 };
 
-// What roofs are told when other products are merged too.
-struct ToldOfRoofs {
+// What the merge of all products knows that buildings need.
+struct MergedForRoofs {
   std::vector<ChosenRecord> chosen;     // plan.chosen, with what only the points of all parts say
   std::vector<FacadeOpening> openings;  // of the facades of the merge, by which storeys are counted
 };
@@ -30,7 +30,7 @@ struct ToldOfRoofs {
 // Brings the buildings of these areas into the order of one run and writes its files to `staging`, and what run.json
 // says of them to the record. `folder` is that of the plan; `parts` has a file of buildings for each area: its part, or
 // what store_of_parts has left of it.
-MergedRoofs merge_roofs(const std::filesystem::path& folder, const Plan& plan, const ToldOfRoofs& told,
+MergedRoofs merge_roofs(const std::filesystem::path& folder, const Plan& plan, const MergedForRoofs& other,
                         const std::filesystem::path& parts, const std::vector<std::uint64_t>& areas,
                         const std::filesystem::path& staging, Progress& progress, RunRecord& record);
 

@@ -87,6 +87,8 @@ TEST(ReadEdits, FaultsOfRoofs) {
             ":2: \"tree\" is no kind of points: building, ground or other");
   EXPECT_EQ(fault_of(head + "roofs,kind,,,,9,,,5,other," + area + "\n"),
             ":2: z1 is the lowest height and z2 the greatest");
+  EXPECT_EQ(fault_of(head + "roofs,merged,,1,2,,3,4,,other,\n"), ":2: merged of roofs needs no to_kind");
+  EXPECT_EQ(fault_of(head + "streets,split,,1,2,,3,4,,car,\n"), ":2: split of streets needs no to_kind");
   EXPECT_EQ(fault_of(head + "roofs,merged,,1,2,,,,,,\n").rfind(":2: merged of roofs needs two places", 0), 0u);
   EXPECT_EQ(fault_of(head + "roofs,merged,,1,2,3,1,2,5,,\n"), ":2: two different places are needed");
 }

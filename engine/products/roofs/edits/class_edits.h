@@ -2,7 +2,6 @@
 // Classes of points that a person has set: points in an area are a building's, the ground's or neither.
 #pragma once
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 

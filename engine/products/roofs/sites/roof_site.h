@@ -20,8 +20,8 @@ enum class GroundSource : std::uint8_t {
 // counter-clockwise; the others are holes, clockwise. An edge leads from the last vertex to the first.
 using SitePolygon = std::vector<std::vector<Point2>>;
 
-// A person says that the faces above two places are one. The plane of the first place stays where a
-// plane through the points of both explains fewer of them.
+// A person says that the faces above two places are one. The plane of the first place stays where a plane through the
+// points of both explains fewer of them.
 struct FaceMerge {
   FlatPoint first, second;  // metres from the site's anchor
 };

@@ -72,4 +72,8 @@ std::optional<std::int64_t> StoreyCounter::storeys(const PlacedOutline& outline)
   return storeys_at(std::move(heights));
 }
 
+void StoreyCounter::add_to(BuildingAttributes& attributes, const PlacedOutline& outline) const {
+  if (const auto seen = storeys(outline)) attributes.emplace_back("storeys", *seen);
+}
+
 }  // namespace ilot

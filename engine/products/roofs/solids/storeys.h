@@ -8,6 +8,7 @@
 
 #include "engine/model/facade_opening.h"
 #include "engine/products/roofs/sites/outline_map.h"
+#include "engine/products/roofs/solids/building_attributes.h"
 
 namespace ilot {
 
@@ -23,6 +24,9 @@ class StoreyCounter {
   // the others follow likewise.
   // O(openings near the outline x its edges).
   std::optional<std::int64_t> storeys(const PlacedOutline& outline) const;
+
+  // Adds the attribute `storeys` to those of the building with this outline, where storeys are seen.
+  void add_to(BuildingAttributes& attributes, const PlacedOutline& outline) const;
 
  private:
   struct Opening {

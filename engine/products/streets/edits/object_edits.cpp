@@ -7,6 +7,7 @@
 
 #include "engine/model/point_label.h"
 #include "engine/products/product_edits.h"
+#include "engine/products/streets/objects/moment_rectangle.h"
 #include "kernels/core/portable_math.h"
 
 namespace ilot {
@@ -21,7 +22,7 @@ double feature(const ObjectCandidate& c, ComponentFeature f) {
   return c.features[static_cast<std::size_t>(f)];
 }
 
-// Weight, mean and covariance of the pixels of a candidate, in pixels. The inverse of how candidates are described.
+// Weight, mean and covariance of the pixels of a candidate, in pixels. The inverse of moment_rectangle().
 struct PixelMoments {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
 
@@ -48,11 +49,8 @@ ObjectCandidate joined(const ObjectCandidate& a, const ObjectCandidate& b, doubl
   ObjectCandidate out = a;
   PixelMoments both(a, pixel);
   both.add(PixelMoments(b, pixel));
-  const double half = (both.xx + both.yy) / 2,
-               root = std::sqrt((both.xx - both.yy) * (both.xx - both.yy) / 4 + both.xy * both.xy);
-  const auto side = [&](double variance) { return pixel * std::sqrt(12 * std::max(0.0, variance) + 1); };
-  out.length = side(half + root), out.width = side(half - root);
-  out.heading_deg = direction_degrees((both.xx - both.yy) / 2, both.xy) / 2;
+  const MomentRectangle rectangle = moment_rectangle(both.xx, both.xy, both.yy, pixel);
+  out.length = rectangle.length, out.width = rectangle.width, out.heading_deg = rectangle.heading_deg;
   out.middle_x = both.x, out.middle_y = both.y;
   const auto low = [](const ObjectCandidate& c) {
     return feature(c, CandidateFeature::low_share) * static_cast<double>(c.points);

@@ -28,9 +28,8 @@ using PartAt = std::function<std::uint32_t(Vec3 place)>;
 //  - added, kind: the whole candidate at the place is an object of the class. An object that was found so is `repeated`
 //    for added, and by hand from then on.
 //  - deleted: it is no object.
-//  - merged: the whole candidates at both places are one object, of the class of the first place or of to_kind. Where
-//  no
-//    join has just these two, one is appended to the candidates.
+//  - merged: the whole candidates at both places are one object, of the class of the first place or of to_kind. A join
+//    of just these two is taken, or else appended to the candidates.
 //  - split: the object at both places is divided where its tree of joins separates them.
 // Throws a usage Error for two edits that give one object two classes. `pixel` is in metres.
 // O(candidates + edits x depth of the trees).

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "engine/products/streets/objects/candidate_shape.h"
+#include "engine/products/streets/objects/moment_rectangle.h"
 #include "engine/products/streets/objects/structures_beside.h"
-#include "kernels/core/portable_math.h"
 
 namespace ilot {
 namespace {
@@ -102,14 +102,8 @@ class Describer {
     ObjectCandidate out;
     const double n = std::max(1.0, t.n), x = t.x / n, y = t.y / n;
     const double xx = t.xx / n - x * x, xy = t.xy / n - x * y, yy = t.yy / n - y * y;
-    const double half = (xx + yy) / 2, root = std::sqrt((xx - yy) * (xx - yy) / 4 + xy * xy);
-    const auto side = [&](double variance) {
-      return scale_.pixel * std::sqrt(12 * std::max(0.0, variance) + 1);  // a single pixel has the width 1
-    };
-    out.length = side(half + root);
-    out.width = side(half - root);
-    const double twice = direction_degrees((xx - yy) / 2, xy);
-    out.heading_deg = twice / 2;
+    const MomentRectangle rectangle = moment_rectangle(xx, xy, yy, scale_.pixel);
+    out.length = rectangle.length, out.width = rectangle.width, out.heading_deg = rectangle.heading_deg;
     out.x = static_cast<double>(patch_.x) + (t.low > 0 ? t.low_x / t.low : x);
     out.y = static_cast<double>(patch_.y) + (t.low > 0 ? t.low_y / t.low : y);
     out.middle_x = static_cast<double>(patch_.x) + x;
