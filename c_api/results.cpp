@@ -192,6 +192,16 @@ Json pavement_json(const Pavement& p) {
       {"area_m2", p.area_m2}, {"width_m", p.width_m}, {"passable_m", p.passable_m}, {"unseen_share", p.unseen_share}};
 }
 
+Json carriageway_json(const Carriageway& c) {
+  return {{"id", c.id},
+          {"ring", ring_json(c.ring)},
+          {"holes", list_of(c.holes, ring_json)},
+          {"area_m2", c.area_m2},
+          {"width_m", c.width_m},
+          {"narrowest_m", c.narrowest_m},
+          {"seen_share", c.seen_share}};
+}
+
 Json planes_json(const PlaneSet& set) {
   Json list = Json::array();
   for (std::size_t i = 0; i < set.segments.size(); ++i) list.push_back(plane_json(set.segments[i], set.outlines[i]));
@@ -205,7 +215,8 @@ Json streets_json(const StreetPlan& plan) {
           {"trees", list_of(plan.trees, tree_json)},
           {"kerbs", list_of(plan.kerbs, kerb_json)},
           {"widths", list_of(plan.widths, width_json)},
-          {"pavements", list_of(plan.pavements, pavement_json)}};
+          {"pavements", list_of(plan.pavements, pavement_json)},
+          {"carriageways", list_of(plan.carriageways, carriageway_json)}};
 }
 
 template <typename Read>

@@ -221,6 +221,10 @@ void TruthWriter::add(const TruePavement& p) {
            fmt::format(R"({{"line":{},"width_m":{:.4f}{}}})", ring_text(p.line, origin_), p.width, facade));
 }
 
+void TruthWriter::add(const TrueCarriageway& c) {
+  add_line("carriageways", fmt::format(R"({{"ring":{}}})", ring_text(c.ring, origin_)));
+}
+
 void TruthWriter::add(const TrueBlock& b) {
   add_line("blocks", fmt::format(R"({{"id":{},"side":"{}","from":{},"to":{}}})", b.id, b.side,
                                  place_text(origin_ + b.from), place_text(origin_ + b.to)));

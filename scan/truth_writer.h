@@ -122,6 +122,11 @@ struct TruePavement {
   std::optional<double> to_facade = {};  // from the kerb to the house; not set where no house stands behind it
 };
 
+// A piece of road, or of a road that meets it. Pieces may touch, and none lies over another.
+struct TrueCarriageway {
+  std::vector<Vec3> ring;
+};
+
 struct TrueBlock {
   std::uint32_t id = 0;
   std::string side;
@@ -194,6 +199,7 @@ class TruthWriter {
   void add(const TrueTree& tree);
   void add(const TrueKerb& kerb);
   void add(const TruePavement& pavement);
+  void add(const TrueCarriageway& road);
   void add(const TrueBlock& block);
 
   void finish(const std::vector<std::pair<std::string, std::uint64_t>>& counts);

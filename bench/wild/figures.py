@@ -29,6 +29,7 @@ DIRECTIONS = {
     "trees found": "+", "trees false": "-", "trees p95, m": "-", "trees with trunk p95, m": "-", "tree heights p50, m": "-",
     "kerbs complete": "+", "kerbs correct": "+", "kerbs plan p95, m": "-", "kerbs height p95, m": "-",
     "pavements complete": "+", "pavement widths p50, m": "-", "pavement widths within 10 cm": "+", "passable widths p50, m": "-",
+    "carriageways complete": "+", "carriageways correct": "+",
     "points": "+", "planes matched": "+", "planes under": "-",
     "cpu s a million points": "-", "peak MiB": "-",
 }
@@ -94,6 +95,11 @@ def of_street_map(e):
         found |= {"kerbs complete": kerbs["complete"], "kerbs plan p95, m": kerbs["plan"]["p95_m"],
                   "kerbs correct": kerbs["correct"] if kerbs["found_m"] > 0 else None,
                   "kerbs height p95, m": kerbs["height"]["p95_m"]}
+    roads = e.get("carriageways")
+    if roads and roads["true_m"] >= 10:
+        found |= {"carriageways complete": roads["complete"]}
+        if roads["found"]:
+            found |= {"carriageways correct": roads["correct"]}
     pavements = e.get("pavements")
     if pavements and pavements["true_m"] >= 10:
         found |= {"pavements complete": pavements["complete"]}

@@ -88,6 +88,7 @@ StreetPlan read_streets(const fs::path& run_folder) {
   if (const fs::path pavements = run_folder / "streets" / "pavements.gpkg"; fs::exists(pavements)) {
     plan.widths = read_pavement_widths(pavements);
     plan.pavements = read_pavements_gpkg(pavements);
+    plan.carriageways = read_carriageways(pavements);
   }
   return plan;
 }

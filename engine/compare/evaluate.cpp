@@ -269,6 +269,9 @@ void evaluate_street_map(const ResultFiles& files, const LabelCounts& counts, co
   if (truth.has_kerbs) evaluation.kerbs = evaluate_kerbs(sight, truth.kerbs, read_kerbs_gpkg(*files.kerbs), metres);
   if (truth.has_pavements && files.pavements)
     evaluation.pavements = evaluate_pavements(sight, truth, read_pavement_widths(*files.pavements), metres);
+  if (truth.has_carriageways && files.pavements)
+    evaluation.carriageways =
+        evaluate_carriageways(sight, truth.carriageways, read_carriageways(*files.pavements), metres);
 }
 
 // Tells whether the record of a run states footprints. False without a record.

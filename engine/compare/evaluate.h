@@ -20,6 +20,7 @@
 #include "engine/compare/planes/plane_sizes.h"
 #include "engine/compare/roofs/roofs.h"
 #include "engine/compare/roofs/wireframe.h"
+#include "engine/compare/streets/carriageway_areas.h"
 #include "engine/compare/streets/kerb_errors.h"
 #include "engine/compare/streets/pavement_errors.h"
 #include "engine/compare/streets/tree_errors.h"
@@ -74,6 +75,7 @@ struct Evaluation {
   std::optional<TreeResult> trees;
   std::optional<KerbResult> kerbs;
   std::optional<PavementResult> pavements;
+  std::optional<CarriagewayResult> carriageways;
   std::vector<std::string> notes;  // what the truth contains and the result does not
 };
 

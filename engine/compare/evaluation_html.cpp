@@ -233,6 +233,8 @@ std::string evaluation_html(const Evaluation& e) {
   if (e.probabilities) html += reliability_html(e.probabilities->all);
   if (e.trees) html += "<h3>Trees</h3>\n<pre>" + escaped_markup(trees_text(*e.trees)) + "</pre>\n";
   if (e.pavements) html += "<h3>Pavements</h3>\n<pre>" + escaped_markup(pavements_text(*e.pavements)) + "</pre>\n";
+  if (e.carriageways)
+    html += "<h3>Carriageways</h3>\n<pre>" + escaped_markup(carriageways_text(*e.carriageways)) + "</pre>\n";
   if (e.kerbs) html += "<h3>Kerbs</h3>\n<pre>" + escaped_markup(kerbs_text(*e.kerbs)) + "</pre>\n";
   for (const std::string& note : e.notes) html += "<p>" + escaped_markup(note) + "</p>\n";
   return html + "</section>\n";

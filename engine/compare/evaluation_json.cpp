@@ -195,6 +195,7 @@ std::string evaluation_json(const Evaluation& e) {
   if (e.trees) json["trees"] = trees_json(*e.trees);
   if (e.kerbs) json["kerbs"] = kerbs_json(*e.kerbs);
   if (e.pavements) json["pavements"] = pavements_json(*e.pavements);
+  if (e.carriageways) json["carriageways"] = carriageways_json(*e.carriageways);
   json["notes"] = e.notes;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -230,6 +230,7 @@ std::string evaluation_text(const Evaluation& e) {
   if (e.trees) parts.push_back(trees_text(*e.trees));
   if (e.kerbs) parts.push_back(kerbs_text(*e.kerbs));
   if (e.pavements) parts.push_back(pavements_text(*e.pavements));
+  if (e.carriageways) parts.push_back(carriageways_text(*e.carriageways));
   for (const std::string& note : e.notes) parts.push_back("note: " + note + "\n");
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : "\n") + part;

@@ -142,6 +142,8 @@ Truth parse_truth(std::string_view text, const std::string& name) {
   read_list(root, "trees", truth.trees, truth.has_trees, tree_of);
   read_list(root, "kerbs", truth.kerbs, truth.has_kerbs, kerb_of);
   read_list(root, "pavements", truth.pavements, truth.has_pavements, pavement_of);
+  read_list(root, "carriageways", truth.carriageways, truth.has_carriageways,
+            [](const JsonNode& n) { return TrueCarriageway{ring_of(n.at("ring"))}; });
   for (const char* key : {"objects", "trees", "plants"}) add_outlines(root, key, truth.outlines);
   read_list(root, "buildings", truth.buildings, truth.has_buildings, [](const JsonNode& n) { return n.at("id").id(); });
   return truth;

@@ -74,6 +74,11 @@ struct TruePavement {
   double to_facade_m = 0;  // from the kerb to the house behind it; 0 = none
 };
 
+// A piece of road, in plan.
+struct TrueCarriageway {
+  Ring3 ring;  // open
+};
+
 // What an object, a tree or a plant has below 2.2 m, in plan.
 struct TrueOutline {
   Ring3 ring;                // convex, counter-clockwise
@@ -91,10 +96,11 @@ struct Truth {
   std::vector<TrueTree> trees;
   std::vector<TrueKerb> kerbs;
   std::vector<TruePavement> pavements;
+  std::vector<TrueCarriageway> carriageways;
   std::vector<TrueOutline> outlines;
   std::vector<std::uint32_t> buildings;  // ids
   bool has_openings = false, has_control_points = false, has_objects = false, has_buildings = false;
-  bool has_trees = false, has_kerbs = false, has_pavements = false;
+  bool has_trees = false, has_kerbs = false, has_pavements = false, has_carriageways = false;
 };
 
 // Arrays that are not in the file are empty; other keys than those above are ignored. What is in the file must have its

@@ -60,10 +60,10 @@ Json counts_json(const RunRecord& record) {
                          {"elements", record.facades->elements},
                          {"occluded_edges", record.facades->occluded_edges}};
   if (record.streets)
-    counts["streets"] = {{"objects", record.streets->objects},    {"blocks", record.streets->blocks},
-                         {"gaps", record.streets->gaps},          {"trees", record.streets->trees},
-                         {"kerbs", record.streets->kerbs},        {"pavement_widths", record.streets->pavement_widths},
-                         {"pavements", record.streets->pavements}};
+    counts["streets"] = {{"objects", record.streets->objects},     {"blocks", record.streets->blocks},
+                         {"gaps", record.streets->gaps},           {"trees", record.streets->trees},
+                         {"kerbs", record.streets->kerbs},         {"pavement_widths", record.streets->pavement_widths},
+                         {"pavements", record.streets->pavements}, {"carriageways", record.streets->carriageways}};
   return counts;
 }
 

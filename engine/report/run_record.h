@@ -54,7 +54,7 @@ struct RoofCounts {
 
 struct StreetCounts {
   std::uint64_t objects = 0, blocks = 0, gaps = 0, trees = 0, kerbs = 0;
-  std::uint64_t pavement_widths = 0, pavements = 0;
+  std::uint64_t pavement_widths = 0, pavements = 0, carriageways = 0;
 };
 
 struct FacadeCounts {

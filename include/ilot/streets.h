@@ -85,7 +85,7 @@ struct PavementWidth {
   double passable_m = 0;       // the widest part of it that no object reaches into, up to 2.2 m above the ground
   double passable_from_m = 0;  // where that part begins, from the kerb
   double unseen_share = 0;     // of the width: neither ground nor an object was seen there
-  double road_m = 0;           // from the kerb across the carriageway to the next kerb; 0 = none within 30 m
+  double road_m = 0;           // from the kerb across the carriageway to the kerb on its other side; 0 = none in 30 m
 };
 
 // Pavement between a kerb and what ends it, along places whose widths have an end.
@@ -100,6 +100,17 @@ struct Pavement {
   double unseen_share = 0;  // mean over its widths
 };
 
+// Road between kerbs that face each other, in plan: its vertices have no height (those of its kerbs have).
+struct Carriageway {
+  std::uint32_t id = 0;                  // from 1
+  std::vector<Vec3> ring;                // along the kerbs, counter-clockwise
+  std::vector<std::vector<Vec3>> holes;  // islands, and what no kerb faces
+  double area_m2 = 0;
+  double width_m = 0;      // median of the ways across, from kerb to kerb, at each metre of the kerbs on both sides
+  double narrowest_m = 0;  // the least of them
+  double seen_share = 0;   // of the ways across: both kerbs were seen
+};
+
 struct StreetPlan {
   std::vector<StreetObject> objects;
   std::vector<FacadePart> blocks, gaps;
@@ -107,6 +118,7 @@ struct StreetPlan {
   std::vector<StreetKerb> kerbs;
   std::vector<PavementWidth> widths;
   std::vector<Pavement> pavements;
+  std::vector<Carriageway> carriageways;
 };
 
 // Reads the layers in streets/ of a run with the product streets. `middle` is that of the written

@@ -16,11 +16,11 @@ from ._types import CloudInfo, FoundPlanes, Setting
 from .clouds import Cloud, info, read_cloud, write_cloud
 from .points import (alpha_shape, delaunay, estimate_normals, euclidean_clusters, find_planes, nearest_neighbours)
 from .products import facades, planes, roofs, streets
-from .results import (Building, Element, Facade, FacadePart, Pavement, PavementWidth, PlaneSegment, StreetKerb, StreetObject, Streets,
+from .results import (Building, Carriageway, Element, Facade, FacadePart, Pavement, PavementWidth, PlaneSegment, StreetKerb, StreetObject, Streets,
                       StreetTree, Surface, read_facades, read_labels, read_planes, read_roofs, read_streets)
 from .runs import RunResult, parameters, read_run, run
 
-__all__ = ["Building", "Cloud", "CloudInfo", "Element", "Error", "Facade", "FacadePart", "FoundPlanes", "Pavement",
+__all__ = ["Building", "Carriageway", "Cloud", "CloudInfo", "Element", "Error", "Facade", "FacadePart", "FoundPlanes", "Pavement",
            "PavementWidth", "PlaneSegment", "RunResult", "Setting", "StreetKerb", "StreetObject", "StreetTree", "Streets", "Surface", "__version__", "alpha_shape",
            "delaunay", "estimate_normals", "euclidean_clusters", "facades", "find_planes", "info", "nearest_neighbours",
            "parameters", "planes", "read_cloud", "read_facades", "read_labels", "read_planes", "read_roofs", "read_run",

@@ -139,6 +139,15 @@ class _Pavement(TypedDict):
     passable_m: float
     unseen_share: float
 
+class _Carriageway(TypedDict):
+    id: int
+    ring: Floats
+    holes: list[Floats]
+    area_m2: float
+    width_m: float
+    narrowest_m: float
+    seen_share: float
+
 class _Streets(TypedDict):
     objects: list[_Object]
     trees: list[_Tree]
@@ -147,6 +156,7 @@ class _Streets(TypedDict):
     gaps: list[_Part]
     widths: list[_Width]
     pavements: list[_Pavement]
+    carriageways: list[_Carriageway]
 
 _Level = tuple[str, Floats, list[tuple[Literal["roof", "wall", "ground"], list[list[int]]]]]
 

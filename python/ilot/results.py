@@ -239,8 +239,27 @@ class Pavement:
 
 
 @dataclasses.dataclass(frozen=True)
+class Carriageway:
+    """Road between kerbs that face each other, in plan."""
+    id: int
+    ring: Floats  # array of shape (vertices, 3): along the kerbs; heights are 0
+    holes: list[Floats]  # islands, and what no kerb faces
+    area_m2: float
+    width_m: float  # median of the ways across, from kerb to kerb
+    narrowest_m: float  # the least of them
+    seen_share: float  # of the ways across: both kerbs were seen
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        """Its outline in plan."""
+        properties = {f.name: getattr(self, f.name) for f in dataclasses.fields(self) if f.name not in ("ring", "holes")}
+        rings = [_closed([(float(p[0]), float(p[1])) for p in ring]) for ring in (self.ring, *self.holes)]
+        return _feature({"type": "Polygon", "coordinates": rings}, properties)
+
+
+@dataclasses.dataclass(frozen=True)
 class Streets:
-    """What was found on streets. Objects, trees, kerbs and pavements are by id from 1, blocks and gaps along their stretch, widths along
+    """What was found on streets. Objects, trees, kerbs, pavements and carriageways are by id from 1, blocks and gaps along their stretch, widths along
     their kerb."""
     objects: list[StreetObject]
     trees: list[StreetTree]
@@ -249,6 +268,7 @@ class Streets:
     gaps: list[FacadePart]
     widths: list[PavementWidth]
     pavements: list[Pavement]
+    carriageways: list[Carriageway]
 
 
 def read_labels(folder: Path) -> dict[str, NDArray[np.void]]:
@@ -281,10 +301,10 @@ def read_facades(folder: Path) -> list[Facade]:
 
 
 def read_streets(folder: Path) -> Streets:
-    """Returns Streets: objects, trees, kerbs, pavements and their widths, and the blocks and gaps of lines of facades. Each list makes a
+    """Returns Streets: objects, trees, kerbs, pavements and their widths, carriageways, and the blocks and gaps of lines of facades. Each list makes a
     table of GeoPandas."""
     found = _ilot.read_streets(folder)
     return Streets([StreetObject(**one) for one in found["objects"]], [StreetTree(**one) for one in found["trees"]],
                    [StreetKerb(**one) for one in found["kerbs"]], [FacadePart(**one) for one in found["blocks"]],
                    [FacadePart(**one) for one in found["gaps"]], [PavementWidth(**one) for one in found["widths"]],
-                   [Pavement(**one) for one in found["pavements"]])
+                   [Pavement(**one) for one in found["pavements"]], [Carriageway(**one) for one in found["carriageways"]])

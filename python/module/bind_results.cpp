@@ -216,6 +216,20 @@ py::dict pavement_of(const Pavement& p) {
   return one;
 }
 
+py::dict carriageway_of(const Carriageway& c) {
+  py::dict one;
+  one["id"] = c.id;
+  one["ring"] = array_of(c.ring);
+  py::list holes;
+  for (const std::vector<Vec3>& hole : c.holes) holes.append(array_of(hole));
+  one["holes"] = holes;
+  one["area_m2"] = c.area_m2;
+  one["width_m"] = c.width_m;
+  one["narrowest_m"] = c.narrowest_m;
+  one["seen_share"] = c.seen_share;
+  return one;
+}
+
 template <typename Thing, typename ToDict>
 py::list list_of(const std::vector<Thing>& things, const ToDict& to_dict) {
   py::list out;
@@ -237,6 +251,7 @@ py::dict streets_python(const std::filesystem::path& folder) {
   out["gaps"] = list_of(plan.gaps, part_of);
   out["widths"] = list_of(plan.widths, width_of);
   out["pavements"] = list_of(plan.pavements, pavement_of);
+  out["carriageways"] = list_of(plan.carriageways, carriageway_of);
   return out;
 }
 

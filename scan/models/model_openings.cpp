@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "engine/compare/planes/plane_frame.h"
-#include "engine/compare/roofs/overlay.h"
+#include "engine/flat_area.h"
 #include "kernels/geometry/ring.h"
 #include "scan/models/plan_hull.h"
 

@@ -121,7 +121,7 @@ class CInterface(unittest.TestCase):
         stored = json.loads((self.folder / "front/facades/facade-001.json").read_text())
         self.assertEqual(len(facades[0]["elements"]), len(stored["elements"]))
         streets = self.text(self.ilot.ilot_read_streets, os.fsencode(self.folder / "front"))
-        self.assertEqual(set(streets), {"objects", "blocks", "gaps", "trees", "kerbs", "widths", "pavements"})
+        self.assertEqual(set(streets), {"objects", "blocks", "gaps", "trees", "kerbs", "widths", "pavements", "carriageways"})
 
     def test_a_stop_ends_one_run_and_not_that_which_waits(self):
         statuses = {}

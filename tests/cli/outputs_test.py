@@ -94,7 +94,8 @@ class Outputs(unittest.TestCase):
                     "kerbs.gpkg": {"kerbs": (streets["kerbs"], "3D Line String"), "heights": (self.kerb_vertices(), "3D Point")},
                     "pavements.gpkg": {"pavements": (streets["pavements"], "3D Polygon"),
                                        "widths": (streets["pavement_widths"], "3D Line String"),
-                                       "road_edges": (streets["kerbs"], "3D Line String")}}
+                                       "road_edges": (streets["kerbs"], "3D Line String"),
+                                       "carriageways": (streets["carriageways"], "Polygon")}}
         self.assertEqual({p.name: self.layers(p) for p in self.files(".gpkg")}, expected)
 
     def kerb_vertices(self):

@@ -103,6 +103,10 @@ class Package(ScannedCase):
                     for r in (p.ring - p.ring[0] for p in plan.pavements))
         self.assertAlmostEqual(areas, sum(p.area_m2 for p in plan.pavements), 0)
         self.assertEqual(plan.pavements[0].__geo_interface__["geometry"]["type"], "Polygon")
+        roads = rows("carriageways", "carriageway_id, area_m2, width_m, narrowest_m, seen_share", "pavements")
+        self.assertEqual([(c.id, c.area_m2, c.width_m, c.narrowest_m, c.seen_share) for c in plan.carriageways], roads)
+        for road in plan.carriageways:
+            self.assertEqual(len(road.__geo_interface__["geometry"]["coordinates"]), 1 + len(road.holes))
         for part in plan.blocks + plan.gaps:
             self.assertAlmostEqual(np.hypot(part.end[0] - part.start[0], part.end[1] - part.start[1]), part.length_m, 2)
 

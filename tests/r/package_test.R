@@ -46,7 +46,7 @@ stopifnot(identical(planes_found$id, seq_len(nrow(planes_found))), "planes.epsil
 invisible(run(at("front.laz"), at("front"), products = c("facades", "streets"), clouds = FALSE, report = FALSE))
 elements <- read_facades(at("front"))
 stopifnot(sum(elements$kind == "window") > 5, ncol(elements$ring[[1]]) == 3)
-stopifnot(setequal(names(read_streets(at("front"))), c("objects", "blocks", "gaps", "trees", "kerbs", "widths", "pavements")))
+stopifnot(setequal(names(read_streets(at("front"))), c("objects", "blocks", "gaps", "trees", "kerbs", "widths", "pavements", "carriageways")))
 
 # Functions over points.
 x <- town$X; y <- town$Y; z <- town$Z

@@ -7,7 +7,7 @@
 
 #include "engine/compare/planes/boundary_error.h"
 #include "engine/compare/planes/plane_frame.h"
-#include "engine/compare/roofs/overlay.h"
+#include "engine/flat_area.h"
 
 namespace ilot {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "engine/compare/planes/plane_frame.h"
-#include "engine/compare/roofs/overlay.h"
+#include "engine/flat_area.h"
 #include "kernels/geometry/closest.h"
 #include "kernels/outlines/edge_cells.h"
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/compare/roofs/overlay.h"
 #include "engine/compare/truth.h"
+#include "engine/flat_area.h"
 #include "engine/model/polygon_model.h"
 #include "kernels/geometry/flat_box.h"
 

@@ -51,6 +51,11 @@ std::string pavements_text(const PavementResult& p) {
          errors_text("width", p.width) + errors_text("passable width", p.passable) + errors_text("carriageway", p.road);
 }
 
+std::string carriageways_text(const CarriagewayResult& c) {
+  return fmt::format("carriageways  true {:.1f} m of kerb  found {}: {:.1f} m2  complete {:.1f} %  correct {:.1f} %\n",
+                     c.true_m, c.found, c.found_m2, 100 * c.complete, 100 * c.correct);
+}
+
 Json trees_json(const TreeResult& t) {
   return {{"true", t.truth},
           {"unseen", t.unseen},
@@ -93,6 +98,14 @@ Json pavements_json(const PavementResult& p) {
           {"width", errors_json(p.width)},
           {"passable", errors_json(p.passable)},
           {"road", errors_json(p.road)}};
+}
+
+Json carriageways_json(const CarriagewayResult& c) {
+  return {{"true_m", c.true_m},
+          {"found", c.found},
+          {"found_m2", c.found_m2},
+          {"complete", c.complete},
+          {"correct", c.correct}};
 }
 
 }  // namespace ilot

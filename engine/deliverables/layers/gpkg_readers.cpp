@@ -27,6 +27,8 @@ class LayerFile {
     if (!file_) fail(CPLGetLastErrorMsg());
   }
 
+  bool has(const char* name) const { return file_->GetLayerByName(name) != nullptr; }
+
   // Calls use(feature, geometry) for each feature, in the file's order.
   template <class Use>
   void for_each(const char* name, const Use& use) {
@@ -224,6 +226,26 @@ std::vector<Pavement> read_pavements_gpkg(const std::filesystem::path& path) {
     pavements.push_back(std::move(p));
   });
   return pavements;
+}
+
+std::vector<Carriageway> read_carriageways(const std::filesystem::path& path) {
+  LayerFile file(path);
+  std::vector<Carriageway> roads;
+  if (!file.has("carriageways")) return roads;  // runs of earlier versions
+  file.for_each("carriageways", [&](const OGRFeature& feature, const OGRGeometry& geometry) {
+    if (wkbFlatten(geometry.getGeometryType()) != wkbPolygon) file.fail("a carriageway is no polygon");
+    const OGRPolygon& polygon = *geometry.toPolygon();
+    Carriageway c;
+    c.id = file.number(feature, "carriageway_id");
+    c.ring = open_ring(*polygon.getExteriorRing());
+    for (int i = 0; i < polygon.getNumInteriorRings(); ++i) c.holes.push_back(open_ring(*polygon.getInteriorRing(i)));
+    c.area_m2 = file.real(feature, "area_m2");
+    c.width_m = file.real(feature, "width_m");
+    c.narrowest_m = file.real(feature, "narrowest_m");
+    c.seen_share = file.real(feature, "seen_share");
+    roads.push_back(std::move(c));
+  });
+  return roads;
 }
 
 std::vector<StreetTree> read_trees_gpkg(const std::filesystem::path& path) {

@@ -23,6 +23,7 @@ std::vector<Outline> read_planes_gpkg(const std::filesystem::path& path);
 std::vector<StreetKerb> read_kerbs_gpkg(const std::filesystem::path& path);
 std::vector<PavementWidth> read_pavement_widths(const std::filesystem::path& path);  // of pavements.gpkg
 std::vector<Pavement> read_pavements_gpkg(const std::filesystem::path& path);
+std::vector<Carriageway> read_carriageways(const std::filesystem::path& path);  // of pavements.gpkg; may have none
 std::vector<StreetTree> read_trees_gpkg(const std::filesystem::path& path);
 std::vector<StreetObject> read_objects_gpkg(const std::filesystem::path& path);
 void read_blocks_gpkg(const std::filesystem::path& path, StreetPlan& plan);

@@ -135,6 +135,10 @@ LayerStyle style_of_pavements() {
   return {"pavements", StyleSymbol::fill, "", false, {{"", "", "214,206,190"}}};
 }
 
+LayerStyle style_of_carriageways() {
+  return {"carriageways", StyleSymbol::fill, "", false, {{"", "", "196,199,204"}}};
+}
+
 LayerStyle style_of_pavement_widths() {
   return {"passable",
           StyleSymbol::line,

@@ -36,6 +36,7 @@ LayerStyle style_of_gaps();
 LayerStyle style_of_kerbs();       // by whether they were seen
 LayerStyle style_of_road_edges();  // by whether they were seen
 LayerStyle style_of_pavements();
+LayerStyle style_of_carriageways();
 LayerStyle style_of_pavement_widths();          // by what is free of objects
 LayerStyle style_of_trees(StyleSymbol symbol);  // by whether a trunk was seen
 

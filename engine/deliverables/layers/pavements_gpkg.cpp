@@ -34,6 +34,31 @@ void add_area(GpkgFile& file, OGRLayer& areas, const Pavement& p) {
   file.add(areas, feature);
 }
 
+OGRLinearRing flat_ring(const std::vector<Vec3>& corners) {
+  OGRLinearRing ring;
+  for (const Vec3& v : corners) ring.addPoint(v.x, v.y);
+  ring.closeRings();
+  return ring;
+}
+
+void add_carriageway(GpkgFile& file, OGRLayer& roads, const Carriageway& c) {
+  OGRFeature feature(roads.GetLayerDefn());
+  feature.SetField("carriageway_id", static_cast<GIntBig>(c.id));
+  feature.SetField("area_m2", c.area_m2);
+  feature.SetField("width_m", c.width_m);
+  feature.SetField("narrowest_m", c.narrowest_m);
+  feature.SetField("seen_share", c.seen_share);
+  OGRPolygon polygon;
+  OGRLinearRing outer = flat_ring(c.ring);
+  polygon.addRing(&outer);
+  for (const std::vector<Vec3>& hole : c.holes) {
+    OGRLinearRing inner = flat_ring(hole);
+    polygon.addRing(&inner);
+  }
+  feature.SetGeometry(&polygon);
+  file.add(roads, feature);
+}
+
 void add_width(GpkgFile& file, OGRLayer& widths, const PavementWidth& w) {
   OGRFeature feature(widths.GetLayerDefn());
   feature.SetField("kerb_id", static_cast<GIntBig>(w.kerb));
@@ -92,12 +117,17 @@ void write_pavements_gpkg(const std::filesystem::path& path, const StreetPlan& p
   GpkgFile::add_field(edges, "kerb_id", OFTInteger64);
   GpkgFile::add_field(edges, "seen", OFTInteger, OFSTBoolean);
   add_reals(edges, {"length_m"});
+  OGRLayer& roads = file.add_layer("carriageways", wkbPolygon, crs);
+  GpkgFile::add_field(roads, "carriageway_id", OFTInteger64);
+  add_reals(roads, {"area_m2", "width_m", "narrowest_m", "seen_share"});
   file.set_style(areas, style_of_pavements());
   file.set_style(widths, style_of_pavement_widths());
   file.set_style(edges, style_of_road_edges());
+  file.set_style(roads, style_of_carriageways());
   for (const Pavement& pavement : plan.pavements) add_area(file, areas, pavement);
   for (const PavementWidth& width : plan.widths) add_width(file, widths, width);
   for (const StreetKerb& kerb : plan.kerbs) add_edge(file, edges, kerb, metres_per_unit);
+  for (const Carriageway& road : plan.carriageways) add_carriageway(file, roads, road);
   file.finish();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // pavements.gpkg: layer `pavements` has the areas between kerbs and what ends the pavement, layer `widths` the widths
-// that were measured across them, layer `road_edges` the kerbs at the height of the road. Columns: docs/outputs.md.
+// that were measured across them, layer `road_edges` the kerbs at the height of the road, layer `carriageways` the road
+// between them. Columns: docs/outputs.md.
 #pragma once
 #include <filesystem>
 #include <optional>

@@ -19,7 +19,8 @@ constexpr double kMargin = 5;         // metres around the drawn content
 constexpr double kLeastSymbol = 0.3;  // metres; smaller objects are drawn with this size
 constexpr double kScaleBar = 20;      // metres
 constexpr double kTreeDot = 0.3;      // metres; radius of the dot at the trunk
-constexpr const char *kTree = "#2f7d32", *kTrunk = "#5d4037", *kKerb = "#b22260", *kPavement = "#e6dfd0";
+constexpr const char *kTree = "#2f7d32", *kTrunk = "#5d4037", *kKerb = "#b22260", *kPavement = "#e6dfd0",
+                     *kRoad = "#dfe1e5";
 
 std::string colour_of(PointLabel label) {
   const auto [red, green, blue] = object_colour(label);
@@ -37,6 +38,8 @@ class Sheet {
       for (const Vec3& p : kerb.line) add(p);
     for (const Pavement& pavement : plan.pavements)
       for (const Vec3& p : pavement.ring) add(p);
+    for (const Carriageway& road : plan.carriageways)
+      for (const Vec3& p : road.ring) add(p);
     for (const StreetTree& tree : plan.trees)
       for (const Vec3& p : crown_of(tree, metres_per_unit)) add(p);
     if (min_.x > max_.x) min_ = max_ = {};
@@ -71,6 +74,21 @@ std::string symbol(const Sheet& sheet, const StreetObject& o, double metres_per_
   return fmt::format("<polygon points=\"{}\" fill=\"{}\"><title>{} {}: {}, {:.2f} m high</title></polygon>\n", points,
                      colour_of(o.label), o.class_name, o.id,
                      o.by_hand ? "by hand" : fmt::format("{:.0f} %", 100 * o.probability), o.height_m);
+}
+
+std::string road_area(const Sheet& sheet, const Carriageway& road) {
+  std::string path;
+  const auto add = [&](const std::vector<Vec3>& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      path += fmt::format("{}{:.2f},{:.2f}", i == 0 ? "M" : "L", sheet.x(ring[i]), sheet.y(ring[i]));
+    path += "Z";
+  };
+  add(road.ring);
+  for (const std::vector<Vec3>& hole : road.holes) add(hole);
+  return fmt::format(
+      "<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\"><title>carriageway {}: {:.2f} m wide, {:.2f} m at its "
+      "narrowest, {:.0f} m2</title></path>\n",
+      path, kRoad, road.id, road.width_m, road.narrowest_m, road.area_m2);
 }
 
 std::string pavement_area(const Sheet& sheet, const Pavement& pavement) {
@@ -120,6 +138,7 @@ std::string street_map_svg(const StreetPlan& plan, double metres_per_unit) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.2f} {1:.2f}\">\n"
       "<rect width=\"{0:.2f}\" height=\"{1:.2f}\" fill=\"#fbfaf7\"/>\n",
       sheet.width(), sheet.height());
+  for (const Carriageway& road : plan.carriageways) svg += road_area(sheet, road);
   for (const Pavement& pavement : plan.pavements) svg += pavement_area(sheet, pavement);
   for (const FacadePart& block : plan.blocks)
     svg += line(sheet, block, "stroke=\"#8a8478\" stroke-width=\"1\"",
@@ -145,7 +164,7 @@ std::string street_legend_html(const StreetPlan& plan) {
                        colour, name, count);
   };
   html += row(kTree, "tree", plan.trees.size()) + row(kKerb, "kerb", plan.kerbs.size()) +
-          row(kPavement, "pavement", plan.pavements.size());
+          row(kPavement, "pavement", plan.pavements.size()) + row(kRoad, "carriageway", plan.carriageways.size());
   return html +
          fmt::format(
              "</tbody></table>\n<p class=\"note\">{} blocks (grey) and {} gaps between them (dashed). Circles are "

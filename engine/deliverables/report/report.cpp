@@ -62,8 +62,10 @@ StreetPlan street_plan(const ResultFolder& result) {
   if (result.has("streets/objects.gpkg")) plan.objects = read_objects_gpkg(result.path / "streets/objects.gpkg");
   if (result.has("streets/blocks.gpkg")) read_blocks_gpkg(result.path / "streets/blocks.gpkg", plan);
   if (result.has("streets/trees.gpkg")) plan.trees = read_trees_gpkg(result.path / "streets/trees.gpkg");
-  if (result.has("streets/pavements.gpkg"))
+  if (result.has("streets/pavements.gpkg")) {
     plan.pavements = read_pavements_gpkg(result.path / "streets/pavements.gpkg");
+    plan.carriageways = read_carriageways(result.path / "streets/pavements.gpkg");
+  }
   if (result.has("streets/kerbs.gpkg")) plan.kerbs = read_kerbs_gpkg(result.path / "streets/kerbs.gpkg");
   return plan;
 }

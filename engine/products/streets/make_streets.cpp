@@ -19,6 +19,7 @@
 #include "engine/products/streets/ground/tiled_artefacts.h"
 #include "engine/products/streets/ground/tiled_ground.h"
 #include "engine/products/streets/objects/object_selection.h"
+#include "engine/products/streets/pavements/carriageways.h"
 #include "engine/products/streets/pavements/pavement_areas.h"
 #include "engine/products/streets/street_kerbs.h"
 #include "engine/products/streets/street_labels.h"
@@ -188,6 +189,7 @@ void add_layers(const Store& store, const FoundStreet& street, const ObjectLabel
   plan.widths = find_pavement_widths(tiles, plan.kerbs, standing);
   mark_unsure_widths(plan.widths);
   plan.pavements = join_pavements(plan.widths, context.metres_per_unit);
+  plan.carriageways = find_carriageways(plan.kerbs, context.metres_per_unit);
 }
 
 }  // namespace
@@ -310,8 +312,9 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
   write_trees_gpkg(out.folder / "trees.gpkg", plan, crs);
   write_street_rasters(*street.tiles, out.folder, crs);
   write_street_map(out.folder, plan, context.metres_per_unit);
-  out.record.streets = StreetCounts{plan.objects.size(), plan.blocks.size(), plan.gaps.size(),     plan.trees.size(),
-                                    plan.kerbs.size(),   plan.widths.size(), plan.pavements.size()};
+  out.record.streets =
+      StreetCounts{plan.objects.size(), plan.blocks.size(), plan.gaps.size(),      plan.trees.size(),
+                   plan.kerbs.size(),   plan.widths.size(), plan.pavements.size(), plan.carriageways.size()};
   out.progress.end_stage();
 }
 

@@ -176,9 +176,9 @@ class PavementFinder {
     const StreetKerb& kerb = kerbs_[placed.kerb];
     const PavementStrip strip = strip_of(t, image);
     PavementWidthParams params;
-    params.next_kerb = around.next(t.at.x, t.at.y, t.across_x, t.across_y, kNearestStep, params_.reach);
+    params.next_kerb = around.next(t.at.x, t.at.y, t.across_x, t.across_y, kNearestStep, params_.reach).distance;
     const StripWidth found = pavement_width(strip, params);
-    const double road = around.next(t.at.x, t.at.y, -t.across_x, -t.across_y, kNearestStep, params_.widest_road);
+    const KerbAhead road = around.next(t.at.x, t.at.y, -t.across_x, -t.across_y, kNearestStep, params_.widest_road);
     PavementWidth width;
     width.kerb = kerb.id, width.number = t.number, width.kerb_seen = kerb.seen;
     width.from = in_crs(t.at.x, t.at.y, t.at.z);
@@ -188,7 +188,7 @@ class PavementFinder {
     if (found.end == PavementEnd::wall) width.error_m = kPixelsOfError * raster_.scale.pixel;
     width.passable_m = found.passable, width.passable_from_m = found.passable_from;
     width.unseen_share = found.unseen_share;
-    width.road_m = std::isfinite(road) ? road : 0;
+    width.road_m = road.faces ? road.distance : 0;
     return width;
   }
 

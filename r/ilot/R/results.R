@@ -29,7 +29,7 @@ read_facades <- function(folder) {
   rows
 }
 
-# list(objects, blocks, gaps, trees, kerbs, widths, pavements): data frames.
+# list(objects, blocks, gaps, trees, kerbs, widths, pavements, carriageways): data frames.
 read_streets <- function(folder) read_result("streets", folder, simplifyMatrix = FALSE)
 
 level_of <- function(level) {

@@ -72,4 +72,16 @@ std::vector<TruePavement> true_pavements(const WildStreet& street) {
   return all;
 }
 
+std::vector<TrueCarriageway> true_carriageways(const WildStreet& street) {
+  const auto rectangle = [](double s0, double s1, double t0, double t1) {
+    return std::vector<Vec3>{{s0, t0, 0}, {s1, t0, 0}, {s1, t1, 0}, {s0, t1, 0}};
+  };
+  const double from = -kStreetBeyond, to = street.length + kStreetBeyond;
+  std::vector<TrueCarriageway> all{{rectangle(from, to, -street.half_road, street.half_road)}};
+  for (const GroundPatch& patch : street.patches) {
+    if (patch.kind == GroundPatch::Kind::cross) all.push_back({rectangle(patch.s0, patch.s1, patch.t0, patch.t1)});
+  }
+  return all;
+}
+
 }  // namespace ilot::scan

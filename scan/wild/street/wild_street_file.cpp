@@ -128,6 +128,10 @@ void write_truth(TruthWriter& truth, const WildStreetScan& scan, const PointTall
     for (Vec3& p : pavement.line) p = scan.street.to_scene(p);
     truth.add(pavement);
   }
+  for (TrueCarriageway road : true_carriageways(scan.street)) {
+    for (Vec3& p : road.ring) p = scan.street.to_scene(p);
+    truth.add(road);
+  }
   write_stations(truth, scan);
 }
 

@@ -37,35 +37,47 @@ class MeasuredLine {
   std::vector<double> length_;
 };
 
+// Adds the transect at a place, but none where the line has no direction.
+void add_transect(const MeasuredLine& line, double s, std::vector<Transect>& all, std::uint32_t number) {
+  const Vec3 way = line.at(std::min(line.length(), s + kChord)) - line.at(std::max(0.0, s - kChord));
+  const double norm = std::hypot(way.x, way.y);
+  if (norm > 0) all.push_back({number, line.at(s), -way.y / norm, way.x / norm, s});
+}
+
 }  // namespace
 
 std::vector<Transect> transects_along(std::span<const Vec3> line, double spacing) {
   std::vector<Transect> all;
   if (line.size() < 2) return all;
   const MeasuredLine measured(line);
-  const double length = measured.length();
-  for (std::uint32_t k = 0; (k + 0.5) * spacing <= length; ++k) {
-    const double s = (k + 0.5) * spacing;
-    const Vec3 way = measured.at(std::min(length, s + kChord)) - measured.at(std::max(0.0, s - kChord));
-    const double norm = std::hypot(way.x, way.y);
-    if (norm > 0) all.push_back({k + 1, measured.at(s), -way.y / norm, way.x / norm});
-  }
+  for (std::uint32_t k = 0; (k + 0.5) * spacing <= measured.length(); ++k)
+    add_transect(measured, (k + 0.5) * spacing, all, k + 1);
+  return all;
+}
+
+std::vector<Transect> transects_over(std::span<const Vec3> line, double spacing) {
+  std::vector<Transect> all;
+  if (line.size() < 2) return all;
+  const MeasuredLine measured(line);
+  const auto steps = static_cast<std::uint32_t>(std::ceil(measured.length() / spacing));
+  for (std::uint32_t k = 0; k <= steps; ++k)
+    add_transect(measured, steps > 0 ? measured.length() * k / steps : 0, all, k + 1);
   return all;
 }
 
 KerbLookup::KerbLookup(std::span<const std::vector<Vec3>> lines) {
-  for (const std::vector<Vec3>& line : lines)
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-      const Vec3 a = line[i], b = line[i + 1];
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    for (std::size_t i = 0; i + 1 < lines[k].size(); ++i) {
+      const Vec3 a = lines[k][i], b = lines[k][i + 1];
       for (std::int64_t v = cell_of(std::min(a.y, b.y)); v <= cell_of(std::max(a.y, b.y)); ++v)
         for (std::int64_t u = cell_of(std::min(a.x, b.x)); u <= cell_of(std::max(a.x, b.x)); ++u)
           cells_[{u, v}].push_back(segments_.size());
-      segments_.push_back({a.x, a.y, b.x - a.x, b.y - a.y});
+      segments_.push_back({a.x, a.y, b.x - a.x, b.y - a.y, k});
     }
 }
 
-double KerbLookup::next(double x, double y, double dx, double dy, double from, double reach) const {
-  double nearest = std::numeric_limits<double>::infinity();
+KerbAhead KerbLookup::next(double x, double y, double dx, double dy, double from, double reach) const {
+  KerbAhead nearest;
   const double end_x = x + reach * dx, end_y = y + reach * dy;
   for (std::int64_t v = cell_of(std::min(y, end_y)); v <= cell_of(std::max(y, end_y)); ++v)
     for (std::int64_t u = cell_of(std::min(x, end_x)); u <= cell_of(std::max(x, end_x)); ++u) {
@@ -77,7 +89,9 @@ double KerbLookup::next(double x, double y, double dx, double dy, double from, d
         if (turn == 0) continue;
         const double distance = ((s.x - x) * s.dy - (s.y - y) * s.dx) / turn;
         const double along = ((s.x - x) * dy - (s.y - y) * dx) / turn;
-        if (distance > from && distance <= reach && along >= 0 && along <= 1) nearest = std::min(nearest, distance);
+        if (!(distance > from && distance <= reach && along >= 0 && along <= 1)) continue;
+        if (std::pair(distance, s.line) < std::pair(nearest.distance, nearest.line))
+          nearest = {distance, s.line, turn < 0};
       }
     }
   return nearest;

@@ -11,7 +11,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::int64_t kX = 700000000, kY = 660000000;
+constexpr std::int64_t kMapX = 700000000, kMapY = 660000000;
 constexpr double kHeight = 0.12, kTreeX = 12.03, kTreeY = 9.04, kTop = 8.0, kCrown = 2.0;
 
 // 30 m of road and pavement with a kerb at y = 7 m and a slope of 2 %, a point each 4 cm; a tree on the pavement; the
@@ -21,7 +21,7 @@ std::vector<Index3> street_with_a_tree() {
   std::vector<Index3> points;
   const auto ground = [](double x, double y) { return 30 + 0.02 * x + (y < 7 ? 0.0 : kHeight + 0.02 * (y - 7)); };
   const auto add = [&](double x, double y, double z) {
-    points.push_back({kX + std::llround(1000 * x), kY + std::llround(1000 * y), std::llround(1000 * z)});
+    points.push_back({kMapX + std::llround(1000 * x), kMapY + std::llround(1000 * y), std::llround(1000 * z)});
   };
   for (double x = 0; x < 30; x += 0.04)
     for (double y = 0; y < 12; y += 0.04) {
@@ -62,8 +62,8 @@ TEST(StreetMap, TheTreeIsWhereItStands) {
   ASSERT_EQ(plan.trees.size(), 1u);
   const StreetTree& tree = plan.trees[0];
   EXPECT_TRUE(tree.trunk_seen);
-  EXPECT_NEAR(tree.position.x, kX / 1000.0 + kTreeX, 0.05);
-  EXPECT_NEAR(tree.position.y, kY / 1000.0 + kTreeY, 0.05);
+  EXPECT_NEAR(tree.position.x, kMapX / 1000.0 + kTreeX, 0.05);
+  EXPECT_NEAR(tree.position.y, kMapY / 1000.0 + kTreeY, 0.05);
   EXPECT_NEAR(tree.height_m, kTop, 0.1);
   EXPECT_NEAR(tree.crown_radius_m, kCrown, 0.3);
   EXPECT_NEAR(tree.trunk_radius_m, 0.15, 0.03);
@@ -78,9 +78,9 @@ TEST(StreetMap, TheKerbIsOnItsEdgeAndTheBoxHidesAPartOfIt) {
   for (const StreetKerb& kerb : plan.kerbs) {
     (kerb.seen ? seen : bridged) += kerb.length_m;
     for (std::size_t i = 0; i < kerb.line.size(); ++i) {
-      EXPECT_NEAR(kerb.line[i].y, kY / 1000.0 + 7, 0.04);
+      EXPECT_NEAR(kerb.line[i].y, kMapY / 1000.0 + 7, 0.04);
       EXPECT_NEAR(kerb.heights_m[i], kHeight, 0.012);
-      EXPECT_NEAR(kerb.line[i].z, 30 + 0.02 * (kerb.line[i].x - kX / 1000.0) + kHeight, 0.012);
+      EXPECT_NEAR(kerb.line[i].z, 30 + 0.02 * (kerb.line[i].x - kMapX / 1000.0) + kHeight, 0.012);
     }
     EXPECT_GT(kerb.line.back().x, kerb.line.front().x) << "the pavement is on the left, in the north";
   }
@@ -116,7 +116,7 @@ TEST(StreetMap, NothingDependsOnThreadsBlocksOrderOrMemory) {
 TEST(StreetMap, AnAreaCutsNothingOfATreeThatStandsInIt) {
   const MapOutcome whole = run_street(street_with_a_tree());
   const MapOutcome part = run_street(street_with_a_tree(), [](RunOptions& o) {
-    o.area = Area{kX / 1000.0 + 8, kY / 1000.0, kX / 1000.0 + 13, kY / 1000.0 + 12, {}};
+    o.area = Area{kMapX / 1000.0 + 8, kMapY / 1000.0, kMapX / 1000.0 + 13, kMapY / 1000.0 + 12, {}};
   });
   ASSERT_EQ(whole.plan.trees.size(), 1u);
   ASSERT_EQ(part.plan.trees.size(), 1u);
@@ -124,8 +124,8 @@ TEST(StreetMap, AnAreaCutsNothingOfATreeThatStandsInIt) {
   EXPECT_NEAR(part.plan.trees[0].height_m, whole.plan.trees[0].height_m, 1e-9);
   for (const StreetKerb& kerb : part.plan.kerbs)
     for (const Vec3& p : kerb.line) {
-      EXPECT_GE(p.x, kX / 1000.0 + 7.9);
-      EXPECT_LE(p.x, kX / 1000.0 + 13.1);
+      EXPECT_GE(p.x, kMapX / 1000.0 + 7.9);
+      EXPECT_LE(p.x, kMapX / 1000.0 + 13.1);
     }
 }
 

@@ -34,11 +34,13 @@ TEST(KerbTransects, DirectionsTurnWithTheKerb) {
 TEST(KerbTransects, TheNextKerbAcrossTheRoad) {
   const std::vector<std::vector<Vec3>> lines{{{0, 0, 0}, {30, 0, 0}}, {{30, 7, 0}, {0, 7, 0}}, {{0, 9, 0}, {10, 9, 0}}};
   const KerbLookup kerbs(lines);
-  EXPECT_NEAR(kerbs.next(5.5, 7, 0, -1, 0.5, 30), 7, 1e-12);
-  EXPECT_NEAR(kerbs.next(5.5, 7, 0, 1, 0.5, 30), 2, 1e-12);
-  EXPECT_TRUE(std::isinf(kerbs.next(15, 7, 0, 1, 0.5, 30)));
-  EXPECT_TRUE(std::isinf(kerbs.next(5.5, 7, 0, -1, 0.5, 6.9)));
-  EXPECT_NEAR(kerbs.next(2, 0, std::sqrt(0.5), std::sqrt(0.5), 0.5, 30), 7 * std::sqrt(2), 1e-12);
+  EXPECT_NEAR(kerbs.next(5.5, 7, 0, -1, 0.5, 30).distance, 7, 1e-12);
+  EXPECT_NEAR(kerbs.next(5.5, 7, 0, 1, 0.5, 30).distance, 2, 1e-12);
+  EXPECT_TRUE(std::isinf(kerbs.next(15, 7, 0, 1, 0.5, 30).distance));
+  EXPECT_TRUE(std::isinf(kerbs.next(5.5, 7, 0, -1, 0.5, 6.9).distance));
+  EXPECT_NEAR(kerbs.next(2, 0, std::sqrt(0.5), std::sqrt(0.5), 0.5, 30).distance, 7 * std::sqrt(2), 1e-12);
+  EXPECT_TRUE(kerbs.next(5.5, 0, 0, 1, 0.5, 30).faces == false) << "its pavement is on this side";
+  EXPECT_EQ(kerbs.next(5.5, 0, 0, 1, 0.5, 30).line, 1u);
 }
 
 }  // namespace

@@ -14,6 +14,9 @@ struct FlatPolygon {
   std::vector<std::vector<FlatPoint>> holes;
 };
 
+// Whether p is in the ring and in no hole. O(corners).
+bool contains(const FlatPolygon& polygon, FlatPoint p);
+
 // Polygons that are prepared for comparison. Copies share their data. Not for use by two threads at once.
 class FlatArea {
  public:
@@ -25,11 +28,18 @@ class FlatArea {
   double common_area(const FlatArea& other) const;
   std::vector<FlatEdge> edges() const;  // of all rings
 
+  // The same area with fewer corners: none moves farther than `tolerance`, and no ring crosses another.
+  FlatArea simplified(double tolerance) const;
+
+  // The parts, in an order and from corners that depend on the area alone. Outer rings turn left, holes turn right.
+  std::vector<FlatPolygon> polygons() const;
+
   // The outer ring of the largest polygon, not closed. Empty when there is no area.
   std::vector<FlatPoint> largest_ring() const;
 
  private:
   struct Geometry;
+  FlatArea(const FlatArea& whole, double tolerance);
   std::shared_ptr<const Geometry> geometry_;
 };
 

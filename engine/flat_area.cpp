@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/compare/roofs/overlay.h"
+#include "engine/flat_area.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "engine/error.h"
 #include "engine/geos_context.h"
+#include "kernels/geometry/ring.h"
 
 namespace ilot {
 namespace {
@@ -58,6 +60,27 @@ void append_ring(const GEOSGeometry* ring, std::vector<FlatEdge>& edges) {
   }
 }
 
+GeosOwned normalised(const GEOSGeometry* geometry) {
+  GeosOwned normal = checked(GEOSGeom_clone_r(geos_context(), geometry));
+  GEOSNormalize_r(geos_context(), normal.get());
+  return normal;
+}
+
+std::vector<FlatPoint> corners_of(const GEOSGeometry* ring) {
+  std::vector<FlatEdge> edges;
+  append_ring(ring, edges);
+  std::vector<FlatPoint> corners;
+  for (const FlatEdge& edge : edges) corners.push_back(edge.a);
+  return corners;
+}
+
+// GEOS begins outer rings to the right and holes to the left.
+std::vector<FlatPoint> turned_corners(const GEOSGeometry* ring) {
+  std::vector<FlatPoint> corners = corners_of(ring);
+  std::reverse(corners.begin() + 1, corners.end());
+  return corners;
+}
+
 void append_edges(const GEOSGeometry* geometry, std::vector<FlatEdge>& edges) {
   const int type = GEOSGeomTypeId_r(geos_context(), geometry);
   if (type == GEOS_POLYGON) {
@@ -72,6 +95,15 @@ void append_edges(const GEOSGeometry* geometry, std::vector<FlatEdge>& edges) {
 }
 
 }  // namespace
+
+bool contains(const FlatPolygon& polygon, FlatPoint p) {
+  const auto in = [&](const std::vector<FlatPoint>& ring) {
+    bool inside = false;
+    for (std::size_t i = 0; i < ring.size(); ++i) inside ^= ray_crosses(p, ring[i], ring[(i + 1) % ring.size()]);
+    return inside;
+  };
+  return in(polygon.ring) && std::none_of(polygon.holes.begin(), polygon.holes.end(), in);
+}
 
 struct FlatArea::Geometry {
   GeosOwned shape;
@@ -118,11 +150,34 @@ std::vector<FlatPoint> FlatArea::largest_ring() const {
     largest = part;
     most = area;
   }
-  std::vector<FlatEdge> edges;
-  if (largest) append_ring(GEOSGetExteriorRing_r(geos_context(), largest), edges);
-  std::vector<FlatPoint> ring;
-  for (const FlatEdge& edge : edges) ring.push_back(edge.a);
-  return ring;
+  return largest ? corners_of(GEOSGetExteriorRing_r(geos_context(), largest)) : std::vector<FlatPoint>{};
+}
+
+// GEOS keeps the corner with which a ring begins. That of the normal form is the leftmost, so it is on the hull.
+FlatArea::FlatArea(const FlatArea& whole, double tolerance) {
+  Geometry made;
+  made.shape = normalised(whole.geometry_->shape.get());
+  made.shape = checked(GEOSTopologyPreserveSimplify_r(geos_context(), made.shape.get(), tolerance));
+  made.area = area_of(made.shape.get());
+  geometry_ = std::make_shared<const Geometry>(std::move(made));
+}
+
+FlatArea FlatArea::simplified(double tolerance) const {
+  return FlatArea(*this, tolerance);
+}
+
+std::vector<FlatPolygon> FlatArea::polygons() const {
+  const GeosOwned normal = normalised(geometry_->shape.get());
+  std::vector<FlatPolygon> polygons;
+  for (int i = 0; i < GEOSGetNumGeometries_r(geos_context(), normal.get()); ++i) {
+    const GEOSGeometry* part = GEOSGetGeometryN_r(geos_context(), normal.get(), i);
+    if (GEOSGeomTypeId_r(geos_context(), part) != GEOS_POLYGON || GEOSisEmpty_r(geos_context(), part) == 1) continue;
+    FlatPolygon polygon{turned_corners(GEOSGetExteriorRing_r(geos_context(), part)), {}};
+    for (int k = 0; k < GEOSGetNumInteriorRings_r(geos_context(), part); ++k)
+      polygon.holes.push_back(turned_corners(GEOSGetInteriorRingN_r(geos_context(), part, k)));
+    polygons.push_back(std::move(polygon));
+  }
+  return polygons;
 }
 
 double intersection_over_union(const FlatArea& a, const FlatArea& b) {
