@@ -76,7 +76,7 @@ class TreeFinder {
     const std::uint64_t side = tiles_.raster().grid.side + 2 * halo_;
     const std::uint64_t columns = view_ == StreetView::air ? 0 : (side / voxel_ + 1) * (side / voxel_ + 1);
     const std::uint64_t voxels =
-        columns * slices() * (sizeof(TrunkVoxel) + 2);  // with marks, and pieces of those in use
+        columns * (4 + slices() * (sizeof(TrunkVoxel) + 2));  // at most, with marks, and pieces of those in use
     run_tasks(tiles_.raster().grid, std::vector<std::uint64_t>(trunks_.size(), voxels + side * side * 8 + kBytesOfRead),
               [&](std::size_t tile) { draw(tile); });
     const std::uint64_t wide = raster_.layers.grid.side + 2 * reach();
@@ -140,7 +140,6 @@ class TreeFinder {
     voxels.side = voxel_ * tiles_.raster().scale.pixel;
     voxels.first = kTrunkFrom;
     voxels.slice = slice_;
-    voxels.values.resize(std::size_t{voxels.width} * voxels.height * voxels.slices);
     return voxels;
   }
 
@@ -152,7 +151,7 @@ class TreeFinder {
     if (slice >= voxels.slices) return;
     const std::uint32_t a = voxel_of(x), b = voxel_of(y);
     const std::int64_t units = tiles_.raster().pixel * voxel_;
-    TrunkVoxel& voxel = voxels.values[(std::size_t{slice} * voxels.height + b) * voxels.width + a];
+    TrunkVoxel& voxel = voxels.add(slice, a, b);
     voxel.x += static_cast<std::uint32_t>((x - a * units) * kTrunkSteps / units);
     voxel.y += static_cast<std::uint32_t>((y - b * units) * kTrunkSteps / units);
     ++voxel.points;

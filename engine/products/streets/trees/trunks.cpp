@@ -57,12 +57,14 @@ class TrunkFinder {
   }
 
  private:
-  std::size_t place(std::uint32_t slice, std::uint32_t x, std::uint32_t y) const {
-    return (std::size_t{slice} * voxels_.height + y) * voxels_.width + x;
+  // The index of a voxel with points; kNone where there are none.
+  std::size_t in_use(std::uint32_t slice, std::uint32_t x, std::uint32_t y) const {
+    const std::size_t i = voxels_.find(slice, x, y);
+    return i != TrunkVoxels::kNone && voxels_.values[i].points > 0 ? i : TrunkVoxels::kNone;
   }
 
   VoxelMean mean_of(std::uint32_t slice, std::uint32_t x, std::uint32_t y) const {
-    const TrunkVoxel& v = voxels_.values[place(slice, x, y)];
+    const TrunkVoxel& v = voxels_.values[voxels_.find(slice, x, y)];
     const double n = v.points, step = voxels_.side / kTrunkSteps;
     return {x * voxels_.side + (v.x / n + 0.5) * step, y * voxels_.side + (v.y / n + 0.5) * step,
             voxels_.first + (slice + 0.5) * voxels_.slice, v.points};
@@ -72,15 +74,15 @@ class TrunkFinder {
   Piece piece_at(std::uint32_t slice, std::uint32_t x, std::uint32_t y) {
     Piece piece{slice, {}};
     std::vector<std::pair<std::uint32_t, std::uint32_t>> next{{x, y}};
-    seen_[place(slice, x, y)] = 1;
+    seen_[voxels_.find(slice, x, y)] = 1;
     while (!next.empty()) {
       const auto [u, v] = next.back();
       next.pop_back();
       piece.add(mean_of(slice, u, v));
       for (std::uint32_t b = v - (v > 0); b <= std::min(voxels_.height - 1, v + 1); ++b)
         for (std::uint32_t a = u - (u > 0); a <= std::min(voxels_.width - 1, u + 1); ++a) {
-          const std::size_t i = place(slice, a, b);
-          if (seen_[i] != 0 || voxels_.values[i].points == 0) continue;
+          const std::size_t i = in_use(slice, a, b);
+          if (i == TrunkVoxels::kNone || seen_[i] != 0) continue;
           seen_[i] = 1;
           next.emplace_back(a, b);
         }
@@ -92,8 +94,8 @@ class TrunkFinder {
     std::vector<Piece> pieces;
     for (std::uint32_t y = 0; y < voxels_.height; ++y)
       for (std::uint32_t x = 0; x < voxels_.width; ++x) {
-        const std::size_t i = place(slice, x, y);
-        if (seen_[i] != 0 || voxels_.values[i].points == 0) continue;
+        const std::size_t i = in_use(slice, x, y);
+        if (i == TrunkVoxels::kNone || seen_[i] != 0) continue;
         Piece piece = piece_at(slice, x, y);
         if (piece.width() <= params_.widest) pieces.push_back(std::move(piece));
       }
@@ -167,11 +169,10 @@ class TrunkFinder {
       const std::uint32_t x1 = cell(piece->x() + outer, voxels_.width), y1 = cell(piece->y() + outer, voxels_.height);
       for (std::uint32_t y = cell(piece->y() - outer, voxels_.height); y <= y1; ++y)
         for (std::uint32_t x = cell(piece->x() - outer, voxels_.width); x <= x1; ++x) {
-          const std::uint32_t points = voxels_.values[place(piece->slice, x, y)].points;
-          if (points == 0) continue;
+          if (in_use(piece->slice, x, y) == TrunkVoxels::kNone) continue;
           const VoxelMean v = mean_of(piece->slice, x, y);
           const bool inside = v.x >= piece->x0 && v.x <= piece->x1 && v.y >= piece->y0 && v.y <= piece->y1;
-          if (!inside && std::hypot(v.x - piece->x(), v.y - piece->y()) <= outer) around += points;
+          if (!inside && std::hypot(v.x - piece->x(), v.y - piece->y()) <= outer) around += v.points;
         }
     }
     return around < trunk.points;
@@ -197,7 +198,18 @@ class TrunkFinder {
 
 }  // namespace
 
+TrunkVoxel& TrunkVoxels::add(std::uint32_t at_slice, std::uint32_t x, std::uint32_t y) {
+  if (columns.empty()) columns.assign(std::size_t{width} * height, 0);
+  std::uint32_t& column = columns[std::size_t{y} * width + x];
+  if (column == 0) {
+    values.resize(values.size() + slices);
+    column = static_cast<std::uint32_t>(values.size() / slices);
+  }
+  return values[std::size_t{column - 1} * slices + at_slice];
+}
+
 std::vector<Trunk> find_trunks(const TrunkVoxels& voxels, const TrunkParams& params) {
+  if (voxels.values.empty()) return {};
   return TrunkFinder(voxels, params).find();
 }
 

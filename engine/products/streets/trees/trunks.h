@@ -14,13 +14,27 @@ struct TrunkVoxel {
   std::uint32_t points = 0;
 };
 
-// Voxels over a rectangle of the plan, slice by slice from the lowest, each row by row.
+// Voxels over a rectangle of the plan. Few places of a street have anything upright, so only columns with points have
+// voxels.
 struct TrunkVoxels {
+  static constexpr std::size_t kNone = SIZE_MAX;
+
   std::uint32_t width = 0, height = 0, slices = 0;
   double side = 0.1;    // metres, in plan
   double first = 0.3;   // metres above the ground where the lowest slice begins
   double slice = 0.25;  // metres, height of a slice
-  std::vector<TrunkVoxel> values = {};
+  // For each place of the plan, row by row, the number of its column from 1; 0 where it has none. Empty until add().
+  std::vector<std::uint32_t> columns = {};
+  std::vector<TrunkVoxel> values = {};  // `slices` of each column, from the lowest, in the order of their first points
+
+  // The voxel at a place, with its column if that is new.
+  TrunkVoxel& add(std::uint32_t at_slice, std::uint32_t x, std::uint32_t y);
+
+  // The index in `values`; kNone where the column has no points.
+  std::size_t find(std::uint32_t at_slice, std::uint32_t x, std::uint32_t y) const {
+    const std::uint32_t column = columns.empty() ? 0 : columns[std::size_t{y} * width + x];
+    return column == 0 ? kNone : std::size_t{column - 1} * slices + at_slice;
+  }
 };
 
 struct TrunkParams {
@@ -43,7 +57,7 @@ struct Trunk {
 
 // Finds what is narrow and upright: connected voxels that are narrow in each slice, over several slices. The axis is
 // the line through the middles of the slices; a circle is fitted to all points along it [Taubin 1991], as a scanner
-// sees one side of a trunk. Sorted by y, then x. O(voxels + candidates).
+// sees one side of a trunk. Sorted by y, then x; the order of the columns does not matter. O(width height slices).
 std::vector<Trunk> find_trunks(const TrunkVoxels& voxels, const TrunkParams& params = {});
 
 }  // namespace ilot

@@ -37,14 +37,13 @@ TrunkVoxels trunk_voxels(const std::vector<std::array<double, 3>>& points) {
   TrunkVoxels v;
   v.width = v.height = 80;
   v.slices = 12;
-  v.values.resize(std::size_t{v.width} * v.height * v.slices);
   for (const auto& [x, y, h] : points) {
     const double s = (h - v.first) / v.slice;
     if (s < 0 || s >= v.slices) continue;
-    const auto a = static_cast<std::size_t>(x / v.side), b = static_cast<std::size_t>(y / v.side);
-    TrunkVoxel& voxel = v.values[(static_cast<std::size_t>(s) * v.height + b) * v.width + a];
-    voxel.x += static_cast<std::uint32_t>((x - static_cast<double>(a) * v.side) / v.side * kTrunkSteps);
-    voxel.y += static_cast<std::uint32_t>((y - static_cast<double>(b) * v.side) / v.side * kTrunkSteps);
+    const auto a = static_cast<std::uint32_t>(x / v.side), b = static_cast<std::uint32_t>(y / v.side);
+    TrunkVoxel& voxel = v.add(static_cast<std::uint32_t>(s), a, b);
+    voxel.x += static_cast<std::uint32_t>((x - a * v.side) / v.side * kTrunkSteps);
+    voxel.y += static_cast<std::uint32_t>((y - b * v.side) / v.side * kTrunkSteps);
     ++voxel.points;
   }
   return v;
