@@ -14,7 +14,8 @@
 namespace ilot {
 namespace {
 
-// Bins with the same y and z, ascending by x.
+// Bins that follow each other along the longest axis of the points. Here this axis is called x, whichever it is: what
+// is in reach does not depend on the names of the axes, and few long rows are joined faster than many short ones.
 struct Row {
   std::uint64_t key;         // packed y and z of their cells
   std::uint32_t begin, end;  // bins
@@ -50,12 +51,21 @@ IntPoint point_at(const Points& p, std::uint32_t i) {
   return {static_cast<std::int32_t>(p.x[i]), static_cast<std::int32_t>(p.y[i]), static_cast<std::int32_t>(p.z[i])};
 }
 
+// The axis along which the points reach farthest: 0, 1 or 2.
+int longest_axis(const IntPoint& low, const IntPoint& high) {
+  const std::int64_t x = std::int64_t{high.x} - low.x, y = std::int64_t{high.y} - low.y,
+                     z = std::int64_t{high.z} - low.z;
+  return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+}
+
 Binned bin_points(const Points& p, std::span<const std::uint32_t> indices, std::int64_t edge) {
-  IntPoint low{INT32_MAX, INT32_MAX, INT32_MAX};
+  IntPoint low{INT32_MAX, INT32_MAX, INT32_MAX}, high{INT32_MIN, INT32_MIN, INT32_MIN};
   for (const std::uint32_t i : indices) {
     const IntPoint q = point_at(p, i);
     low = {std::min(low.x, q.x), std::min(low.y, q.y), std::min(low.z, q.z)};
+    high = {std::max(high.x, q.x), std::max(high.y, q.y), std::max(high.z, q.z)};
   }
+  const int axis = longest_axis(low, high);
   // There are two empty cells below the lowest point, so that the neighbours of any cell have keys.
   constexpr std::uint64_t kBorder = 2;
   // Half a unit more keeps the quotient 2^-26 away from integers, which is more than the error of the product of
@@ -69,7 +79,8 @@ Binned bin_points(const Points& p, std::span<const std::uint32_t> indices, std::
   std::vector<std::uint32_t> length(indices.size(), 0);  // by first point
   for (std::uint32_t i = 0; i < indices.size(); ++i) {
     const IntPoint q = point_at(p, indices[i]);
-    const std::uint64_t key = pack(cell(q.x, low.x), cell(q.y, low.y), cell(q.z, low.z));
+    const std::uint64_t x = cell(q.x, low.x), y = cell(q.y, low.y), z = cell(q.z, low.z);
+    const std::uint64_t key = axis == 0 ? pack(x, y, z) : axis == 1 ? pack(y, x, z) : pack(z, x, y);
     if (runs.empty() || runs.back().key != key) runs.push_back({key, i});
     ++length[runs.back().value];
   }
