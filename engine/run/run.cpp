@@ -34,6 +34,7 @@
 #include "engine/run/products.h"
 #include "engine/run/run_context.h"
 #include "engine/run/run_estimate.h"
+#include "engine/run/stray_warning.h"
 #include "kernels/core/parallel.h"
 #include "kernels/geometry/box3.h"
 
@@ -127,16 +128,6 @@ void note_rounding(const InputLattice& lattice, const RunInputs& inputs, Progres
   if (finest < 0.999 * lattice.finest())
     progress.note(
         "coordinates in finer steps than index.finest_step are rounded to it; points/ keeps them as they are");
-}
-
-void warn_of_strays(const IndexResult& index, Progress& progress, RunRecord& record) {
-  const std::uint64_t strays = index.rejected[static_cast<std::size_t>(Rejection::stray)];
-  if (strays == 0) return;
-  const std::string text = grouped(strays) + (strays == 1 ? " point stands" : " points stand") +
-                           " alone, far from all others, and " + (strays == 1 ? "is" : "are") +
-                           " left out; index.keep_strays = true keeps such points";
-  progress.warn(text);
-  record.warnings.push_back(text);
 }
 
 // Holds the edits against each other, and counts those that no requested product makes.

@@ -30,6 +30,7 @@
 #include "engine/run/products.h"
 #include "engine/run/run_context.h"
 #include "engine/run/run_request.h"
+#include "engine/run/stray_warning.h"
 #include "engine/scale/chunk_boxes.h"
 #include "engine/scale/cut_plan.h"
 #include "engine/scale/plan.h"
@@ -202,6 +203,7 @@ void fill_folder(const PlanOptions& options, const RunInputs& inputs, std::vecto
   progress.begin_stage("index", inputs.points);
   const IndexResult index = index_all(run, inputs, store, block_points, context);
   progress.end_stage();
+  warn_of_strays(index, progress, record);
   if (index.store.points() == 0) throw Error("none of the points of the inputs can be used; ilot info says why");
   freeze_index(index, inputs, context, plan);
   const PointMap map = mapped(folder, inputs, index, context, plan);

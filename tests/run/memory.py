@@ -26,7 +26,7 @@ class Memory(RunTest):
         self.assertLessEqual(large, 96 << 20)
 
     def test_five_times_the_points(self):
-        self.check_growth(500000, 2500000)
+        self.check_growth(400000, 2000000)
 
     def test_rows_of_60000_bytes(self):
         """Buffers are bounded in bytes. Compression of such rows needs a model of each byte, and 96M is too little for

@@ -27,8 +27,9 @@ class PlanOfPlanes(PlanesTest):
         self.assertGreaterEqual(self.equal(one, inputs, 33), 16)
 
     def test_curved_shapes(self):
-        """A pipe that lies over the borders of cells on level ground: its parts are joined as planes are."""
-        rng, rows = random.Random(7), []
+        """A pipe that lies over the borders of cells on level ground: its parts are joined as planes are. A point far away
+        is left out, and both say so."""
+        rng, rows = random.Random(7), [(90_000_000, 90_000_000, 0)]
         for _ in range(40_000):
             turn, out = rng.uniform(0, 2 * math.pi), rng.gauss(1200, 4)
             rows.append((rng.randrange(12_000, 54_000), round(16_000 + out * math.cos(turn)), round(5000 + out * math.sin(turn))))
@@ -36,6 +37,7 @@ class PlanOfPlanes(PlanesTest):
         inputs, options = small_las(self.folder / "pipe.las", rows), ("--set", "planes.curved=true")
         one = self.one_run(inputs, *options)
         self.assertGreater(one["counts"]["shapes"], 0)
+        self.assertIn("1 point stands alone", one["warnings"][0])
         self.assertGreater(self.equal(one, inputs, 33, *options), 1)
 
     def test_colours(self):

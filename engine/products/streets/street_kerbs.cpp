@@ -131,6 +131,7 @@ class KerbFinder {
 
   void find_places(std::size_t tile) {
     const Window window = read(tile);
+    if (window.mean.empty()) return;
     const double pixel = raster_.scale.pixel, cell = factor_ * pixel, halo = halo_ * pixel;
     const TileFrame frame = tile_frame(raster_.grid, tile);
     std::vector<GroundPoint> points;
