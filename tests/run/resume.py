@@ -76,7 +76,7 @@ class Synthetic(Resume):
 
     def check_kills_of(self, product, path, asked):
         """Kills at random moments, and when the first labels of the product are in the store."""
-        expected = self.check_kills(path, 4, 7, *SLOW, *asked)
+        expected = self.check_kills(path, 3, 7, *SLOW, *asked)
         out = self.folder / "killed-in-stage"
         code, _ = self.stop_in_stage(product, signal.SIGKILL, path, out, *SLOW, *asked)
         self.assertEqual(code, -signal.SIGKILL)
@@ -87,7 +87,7 @@ class Synthetic(Resume):
         self.check_kills_of("facades", *self.facade(60000))
 
     def test_killed_while_making_streets(self):
-        self.check_kills_of("streets", *self.street(150000))
+        self.check_kills_of("streets", *self.street(100000))
 
     def test_killed_with_a_store_elsewhere(self):
         path = self.district(100000)
