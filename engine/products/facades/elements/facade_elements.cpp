@@ -172,6 +172,7 @@ FacadeElement unseen_of(const FacadeSite& site, const UnseenArea& area) {
   e.status = DrawnStatus::occluded;
   e.reason =
       area.straight ? "a hole with straight sides that no free ray is known to have crossed" : "no ray reached it";
+  if (area.hidden) e.reason = "too little of this opening was seen";
   const Box2 box = box_of(area.ring);
   for (const Place2& p : area.ring) {
     e.ring.push_back(place_of(site, p.u, p.v, 0));

@@ -64,6 +64,19 @@ void drop_known_areas(std::vector<UnseenArea>& unseen, const std::vector<Element
   });
 }
 
+// Openings of which too little was seen are only possible ones.
+void move_possible(std::vector<ElementCandidate>& candidates, std::vector<UnseenArea>& unseen) {
+  for (const ElementCandidate& t : candidates) {
+    const Box2 box = t.shape.box();
+    if (!t.possible || box.width() <= 0 || box.height() <= 0) continue;
+    UnseenArea& area = unseen.emplace_back();
+    area.ring = {{box.u0, box.v0}, {box.u1, box.v0}, {box.u1, box.v1}, {box.u0, box.v1}};
+    area.straight = area.hidden = true;
+    for (const LocatedEdge& edge : t.shape.sides) area.error = std::max(area.error, edge.error);
+  }
+  std::erase_if(candidates, [](const ElementCandidate& t) { return t.possible; });
+}
+
 // Elements are numbered in this order.
 bool comes_before(const ElementCandidate& a, const ElementCandidate& b) {
   const Box2 p = a.shape.box(), q = b.shape.box();
@@ -282,7 +295,8 @@ FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, F
   if (steps != nullptr) steps->found = candidates;
   if (params.regularise) {
     regularise_elements(candidates, params.regular);
-    complete_elements(candidates, params.regular);
+    complete_elements(candidates, params.regular, params.openings.least_size);
+    move_possible(candidates, unseen);
     group_elements(candidates, params.regular);
   }
   find_ends(candidates, samples, params.concurrency);

@@ -18,6 +18,10 @@ constexpr double kHighestShadow = 0.6;  // metres above its top that a sill hide
 // Choice: the value of element_kinds.cpp, where sills are found.
 constexpr double kUnder = 0.7;  // share of the width of an opening that its sill covers
 
+// Derived: drawn as it was seen, it has half in common with what it is at worst. Drawn halfway between the least and
+// the most that it may be, it has that from the square of this share on.
+constexpr double kMostSeen = 0.5;  // share of the most that an opening may be that was seen to be open
+
 using Members = std::vector<ElementCandidate*>;
 
 double width_of(const ElementCandidate& t) {
@@ -273,6 +277,37 @@ bool complete_from_size(ElementCandidate& t, const std::vector<ElementCandidate>
   return true;
 }
 
+// The gap in which a side is that nobody saw, from the last place that was seen to be open on; 0 where it has no end.
+double gap_of(const LocatedEdge& edge) {
+  return edge.at == edge.inner ? edge.beyond : unseen_error(edge, edge.inner);
+}
+
+// Places the sides of an opening of which nothing else is known than their gaps.
+void place_hidden(ElementCandidate& t, const std::vector<Side>& hidden) {
+  bool ends = true;
+  double most_width = 0, most_height = 0;
+  for (const Side side : hidden) {
+    LocatedEdge& edge = t.shape.side(side);
+    const double gap = gap_of(edge);
+    ends &= gap > 0;
+    (along_u(side) ? most_width : most_height) += gap;
+    edge.error = gap > 0 ? gap : unseen_error(edge, edge.inner);
+    edge.at = edge.inner;
+  }
+  t.reason = "sides end where a laser shadow begins";
+  const double width = width_of(t), height = height_of(t);
+  const double share = width * height / ((most_width + width) * (most_height + height));
+  if (!ends || share >= kMostSeen) return;
+  t.possible = share < kMostSeen * kMostSeen;
+  if (t.possible) return;
+  for (const Side side : hidden) {
+    LocatedEdge& edge = t.shape.side(side);
+    edge.error /= 2;
+    edge.at += outwards(side) * edge.error;
+  }
+  t.reason = "sides lie in the middle of a laser shadow";
+}
+
 }  // namespace
 
 void group_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params) {
@@ -308,10 +343,11 @@ void regularise_elements(std::vector<ElementCandidate>& candidates, const Regula
   }
 }
 
-void complete_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params) {
+void complete_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params, double least_size) {
   const std::vector<ElementCandidate> before = candidates;
   for (ElementCandidate& t : candidates) {
     if (!is_opening(t)) continue;
+    std::vector<Side> hidden;
     for (const Side side : kSides) {
       LocatedEdge& edge = t.shape.side(side);
       if (side == Side::bottom && complete_from_sill(t, before)) continue;
@@ -319,10 +355,10 @@ void complete_elements(std::vector<ElementCandidate>& candidates, const RegularP
       const bool level = side == Side::bottom || side == Side::top;
       if (level && complete_from_row(t, before, side, params)) continue;
       if (complete_from_size(t, before, side, params)) continue;
-      edge.error = unseen_error(edge, edge.inner);
-      edge.at = edge.inner;
-      t.reason = "sides end where a laser shadow begins";
+      hidden.push_back(side);
     }
+    if (!hidden.empty()) place_hidden(t, hidden);
+    t.possible |= std::min(width_of(t), height_of(t)) < least_size;
   }
 }
 

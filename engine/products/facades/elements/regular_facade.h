@@ -31,6 +31,7 @@ struct ElementCandidate {
   ElementKind kind = ElementKind::window;
   std::uint32_t family = 0, row = 0, column = 0;  // as in FacadeElement
   std::string reason;                             // why an edge that was not seen has its place
+  bool possible = false;                          // an opening of which so little was seen that it has no size
 };
 
 struct RegularParams {
@@ -53,6 +54,12 @@ void regularise_elements(std::vector<ElementCandidate>& candidates, const Regula
 // Completes edges that were not seen. The bottom of an opening behind a sill is the top of the sill. Other edges come
 // from the row or the family, or stay occluded. The field `reason` says which. Completed edges stay within the gap that
 // hid them, and their error reaches to both ends of it.
-void complete_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params = {});
+//
+// Edges that stay occluded are where the opening was last seen, if at least half of what it may be at most was seen to
+// be open. Otherwise they are in the middle of their gaps. If even so half of the opening would not be sure, less than
+// a quarter of it was seen, and it is only a `possible` one. So is one that is drawn narrower or lower than
+// `least_size` metres. Nothing is decided by a gap of which no far end is known.
+void complete_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params = {},
+                       double least_size = 0.3);
 
 }  // namespace ilot

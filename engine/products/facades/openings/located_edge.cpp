@@ -369,7 +369,7 @@ LocatedEdge locate_edge(const RaySamples& samples, const SideSearch& q, Side sid
   const bool wide = 2 * split.half_gap > kStepsOfShadow * view.steps.u;
   if (!split.found && !q.hole && !around.inside.empty()) {
     set_end_of_element(around, view, edge);
-  } else if (q.hole && q.silent && view.oblique && !around.outside.empty() && (!split.found || wide)) {
+  } else if (q.hole && q.silent && !around.outside.empty() && (!split.found || (view.oblique && wide))) {
     set_end_of_wall(around, view, edge);
   } else if (split.found) {
     set_split(around, split, view, edge);

@@ -6,6 +6,7 @@
 
 #include "engine/products/facades/openings/arched_top.h"
 #include "engine/products/facades/openings/beyond_side.h"
+#include "engine/products/facades/openings/hidden_side.h"
 #include "engine/products/facades/openings/leaning_side.h"
 #include "engine/products/facades/openings/panes.h"
 #include "engine/products/facades/openings/pointed_top.h"
@@ -265,6 +266,9 @@ void locate_sides(const RaySamples& samples, const WallCells& cells, const CellB
     search.box = {opening.side(Side::left).inner, opening.side(Side::right).inner, opening.side(Side::bottom).inner,
                   opening.side(Side::top).inner};
   }
+  for (const Side side : kSides)
+    if (LocatedEdge& edge = opening.side(side); edge.status == DrawnStatus::occluded && edge.at == edge.inner)
+      edge.beyond = wall_beyond(cells, search.box, side);
 }
 
 // An opening may go on behind a panel that is not in the plane of the wall: the board below a shop window is part of

@@ -47,6 +47,8 @@ constexpr std::uint64_t kGround = 10;  // points of it
 constexpr double kFoot = 0.35;  // metres above the foot of the wall: below it there is no wall
 // Choice: more may be a front of glass or a gap between houses.
 constexpr double kMostOfWall = 0.6;  // share of the wall that one hole covers
+// The station of all rays where none is known; others are those of stations that are not in front of the wall.
+constexpr SiteStation kNoStation = 0;
 
 using enum WallCells::What;
 
@@ -115,7 +117,7 @@ void note(const FacadeSite& site, const Ray& ray, bool on_wall, Place2 p, double
 void look_near(const RaySamples& samples, double cell, ViewedHole& h) {
   const Box2 around = h.box.grown(kRing);
   for (const Ray& ray : samples.near(around)) {
-    if (samples.eye_of(ray) == nullptr) continue;
+    if (samples.oblique() ? samples.eye_of(ray) == nullptr : ray.station != kNoStation) continue;
     const Place2 p = samples.crossing(ray, 0);
     if (around.contains(p)) note(samples.site(), ray, samples.on_wall(ray), p, cell, h);
   }
@@ -126,6 +128,7 @@ void look_near(const RaySamples& samples, double cell, ViewedHole& h) {
 std::vector<std::uint64_t> look_far(const RaySamples& samples, double cell, std::vector<ViewedHole>& holes) {
   const std::vector<FacadeStation>& stations = samples.site().stations;
   std::vector<std::uint64_t> about(stations.size(), 0);
+  if (stations.empty()) return about;
   std::vector<SpaceBox> boxes;
   for (const FacadeStation& s : stations) {
     SpaceBox& box = boxes.emplace_back(SpaceBox{{s.position.x - kBareDisc, s.position.y - kBareDisc, 0},
@@ -201,7 +204,7 @@ bool is_crossed(const ViewedHole& h, std::span<const std::uint64_t> about, doubl
     double on_wall = 0;
     for (const double n : view.beside) on_wall += n;
     expected += on_wall / h.wall * static_cast<double>(h.hole.region.cells.size());
-    known |= about[station] >= kGround;
+    known |= !about.empty() && about[station] >= kGround;
     ++crossing;
   }
   return crossing > 0 && (known || crossing > 1 || behind >= std::max(kFewestBehind, kLeastBehind * expected));
@@ -274,9 +277,9 @@ std::vector<ViewedHole> viewed_holes(const WallCells& cells, const std::vector<b
   return viewed;
 }
 
-// Finds which holes rays of the stations crossed.
+// Finds which holes rays crossed.
 void look(const RaySamples& samples, const WallCells& cells, std::vector<ViewedHole>& holes) {
-  if (!samples.oblique() || holes.empty()) return;
+  if (holes.empty()) return;
   for (ViewedHole& h : holes) count_wall(cells, h), look_near(samples, cells.cell, h);
   const std::vector<std::uint64_t> about = look_far(samples, cells.cell, holes);
   for (ViewedHole& h : holes) h.hole.crossed = is_crossed(h, about, cells.cell);

@@ -21,6 +21,7 @@ struct WallHole {
 struct UnseenArea {
   std::vector<Place2> ring;  // counter-clockwise, metres in the axes of the wall
   bool straight = false;     // the ring is a rectangle, which may be an opening
+  bool hidden = false;       // a part of an opening most of which may be hidden
   double error = 0;          // of its sides, metres
 };
 
@@ -34,7 +35,8 @@ struct UnseenArea {
 // cells of the hole, those are taken off before which a point of this station lies, near the wall or anywhere up
 // to the station (RaySamples::far_points). Where points of the street are missing from the cloud, what stood there may
 // be missing too; then a hole is crossed only if some rays ended in it behind the wall, on its reveals, or if the rays
-// of two stations crossed it. Without stations no hole is crossed. O(points).
+// of two stations crossed it. Where no station is known, all rays are taken to be of one that nothing else is known of:
+// then rays that ended behind the wall must show it. O(points).
 std::vector<WallHole> find_holes(const RaySamples& samples, const WallCells& cells, double least_size);
 
 // The outer ring of the cells of a hole, or its box where it is straight.

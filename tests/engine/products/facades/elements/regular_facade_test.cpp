@@ -162,5 +162,46 @@ TEST(RegularFacade, NothingToCompleteFromStaysOccluded) {
   EXPECT_EQ(candidates[0].shape.at(Side::bottom), 3.3);
 }
 
+// An opening of 1 m by 1 m that was seen, whose bottom may be up to `gap` metres lower.
+ElementCandidate hidden_below(double gap) {
+  ElementCandidate t = candidate(2, 3, 4, 5, 0.01);
+  LocatedEdge& bottom = t.shape.side(Side::bottom);
+  bottom.status = DrawnStatus::occluded;
+  bottom.error = 3;
+  bottom.beyond = gap;
+  return t;
+}
+
+TEST(RegularFacade, AHiddenSideIsWhereItWasLastSeenToBeOpenIfHalfIsSure) {
+  std::vector<ElementCandidate> one{hidden_below(0.9)};
+  complete_elements(one);
+  EXPECT_FALSE(one[0].possible);
+  EXPECT_DOUBLE_EQ(one[0].shape.at(Side::bottom), 4);
+  EXPECT_DOUBLE_EQ(one[0].shape.error(Side::bottom), 0.9);
+}
+
+TEST(RegularFacade, AHiddenSideIsInTheMiddleOfItsGapIfLessWasSeen) {
+  std::vector<ElementCandidate> one{hidden_below(2)};
+  complete_elements(one);
+  EXPECT_FALSE(one[0].possible);
+  EXPECT_DOUBLE_EQ(one[0].shape.at(Side::bottom), 3);
+  EXPECT_DOUBLE_EQ(one[0].shape.error(Side::bottom), 1);
+  EXPECT_EQ(one[0].shape.side(Side::bottom).status, DrawnStatus::occluded);
+}
+
+TEST(RegularFacade, AnOpeningOfWhichLessThanAQuarterWasSeenIsAPossibleOne) {
+  std::vector<ElementCandidate> one{hidden_below(3.1), hidden_below(0)};
+  complete_elements(one);
+  EXPECT_TRUE(one[0].possible);
+  EXPECT_FALSE(one[1].possible);  // nothing is known of the end of its gap
+}
+
+TEST(RegularFacade, ASlitIsOnlyAPossibleOpening) {
+  std::vector<ElementCandidate> slits{candidate(2, 2.2, 4, 5, 0.01), candidate(2, 2.2, 4, 5, 0.01, ElementKind::bulge)};
+  complete_elements(slits);
+  EXPECT_TRUE(slits[0].possible);
+  EXPECT_FALSE(slits[1].possible);
+}
+
 }  // namespace
 }  // namespace ilot

@@ -55,6 +55,29 @@ TEST(SilentHoles, TheShadowOfWhatWasCutOutIsOnlyAPossibleOpening) {
   EXPECT_EQ(unseen[0].ring.size(), 4u);
 }
 
+// Where nobody knows from where the wall was scanned, the points on the reveals of a hole show that rays went into it.
+TEST(SilentHoles, WithoutStationsItsRevealsShowAnOpening) {
+  FacadeSite site = test::scan_wall(silent_wall(), kSilentEye, 0.0025, kNoEcho);
+  site.stations.clear(), site.from.clear();
+  const std::vector<FoundRectangle> found = find_openings(RaySamples(site));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(found[0].no_echo);
+  EXPECT_NEAR(found[0].at(Side::left), 2, 0.05);
+  EXPECT_NEAR(found[0].at(Side::right), 3.1, 0.05);
+  EXPECT_NEAR(found[0].at(Side::bottom), 1.2, 0.05);
+  EXPECT_NEAR(found[0].at(Side::top), 2.8, 0.05);
+}
+
+TEST(SilentHoles, WithoutStationsAndRevealsItIsOnlyAPossibleOpening) {
+  FacadeSite site = test::scan_wall(silent_wall(), kSilentEye, 0.0025, kNoEcho);
+  std::erase_if(site.points, [](const FacadePoint& p) { return p.w < -0.02F; });
+  site.stations.clear(), site.from.clear();
+  std::vector<UnseenArea> unseen;
+  EXPECT_TRUE(find_openings(RaySamples(site), {}, nullptr, &unseen).empty());
+  ASSERT_EQ(unseen.size(), 1u);
+  EXPECT_TRUE(unseen[0].straight);
+}
+
 // Something that is in the cloud stands before a window without an echo: none of it was seen.
 TEST(SilentHoles, WhatStandsBeforeAHoleStopsItsRays) {
   test::ScannedWall wall = silent_wall();
