@@ -64,6 +64,29 @@ void drop_known_areas(std::vector<UnseenArea>& unseen, const std::vector<Element
   });
 }
 
+double area_of(const Box2& box) {
+  return std::max(0.0, box.width()) * std::max(0.0, box.height());
+}
+
+// Drops the openings of which most lies in a larger one, or in another of the same size: rays went through the wall at
+// one place. An opening that is only possible gives way to any other.
+void drop_openings_within(std::vector<ElementCandidate>& candidates) {
+  const std::vector<ElementCandidate> all = candidates;
+  const auto gives_way = [&](const ElementCandidate& a, std::size_t i, const ElementCandidate& b, std::size_t k) {
+    const Box2 own = a.shape.box(), other = b.shape.box();
+    if (common_area(own, other) <= kMostOf * area_of(own)) return false;
+    if (a.possible != b.possible) return a.possible;
+    return area_of(own) != area_of(other) ? area_of(own) < area_of(other) : i > k;
+  };
+  candidates.clear();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    bool within = false;
+    for (std::size_t k = 0; k < all.size() && is_opening(all[i].kind); ++k)
+      within |= k != i && is_opening(all[k].kind) && gives_way(all[i], i, all[k], k);
+    if (!within) candidates.push_back(all[i]);
+  }
+}
+
 // Openings of which too little was seen are only possible ones.
 void move_possible(std::vector<ElementCandidate>& candidates, std::vector<UnseenArea>& unseen) {
   for (const ElementCandidate& t : candidates) {
@@ -295,7 +318,8 @@ FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, F
   if (steps != nullptr) steps->found = candidates;
   if (params.regularise) {
     regularise_elements(candidates, params.regular);
-    complete_elements(candidates, params.regular, params.openings.least_size);
+    complete_elements(candidates, params.regular);
+    drop_openings_within(candidates);
     move_possible(candidates, unseen);
     group_elements(candidates, params.regular);
   }

@@ -225,8 +225,10 @@ bool complete_from_sill(ElementCandidate& t, const std::vector<ElementCandidate>
   return false;
 }
 
-// Whether a side may be at a place: it must not be inside of what was seen to be open.
+// Whether a side may be at a place: it must not be inside of what was seen to be open, nor beyond where the wall is
+// seen.
 bool allowed(const LocatedEdge& edge, Side side, double at, const RegularParams& params) {
+  if (edge.beyond > 0 && outwards(side) * (at - edge.inner) > edge.beyond + params.alike) return false;
   const bool low = side == Side::left || side == Side::bottom;
   return low ? at <= edge.inner + params.alike : at >= edge.inner - params.alike;
 }
@@ -343,7 +345,7 @@ void regularise_elements(std::vector<ElementCandidate>& candidates, const Regula
   }
 }
 
-void complete_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params, double least_size) {
+void complete_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params) {
   const std::vector<ElementCandidate> before = candidates;
   for (ElementCandidate& t : candidates) {
     if (!is_opening(t)) continue;
@@ -358,7 +360,6 @@ void complete_elements(std::vector<ElementCandidate>& candidates, const RegularP
       hidden.push_back(side);
     }
     if (!hidden.empty()) place_hidden(t, hidden);
-    t.possible |= std::min(width_of(t), height_of(t)) < least_size;
   }
 }
 

@@ -57,9 +57,7 @@ void regularise_elements(std::vector<ElementCandidate>& candidates, const Regula
 //
 // Edges that stay occluded are where the opening was last seen, if at least half of what it may be at most was seen to
 // be open. Otherwise they are in the middle of their gaps. If even so half of the opening would not be sure, less than
-// a quarter of it was seen, and it is only a `possible` one. So is one that is drawn narrower or lower than
-// `least_size` metres. Nothing is decided by a gap of which no far end is known.
-void complete_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params = {},
-                       double least_size = 0.3);
+// a quarter of it was seen, and it is only a `possible` one. Nothing is decided by a gap of which no far end is known.
+void complete_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params = {});
 
 }  // namespace ilot

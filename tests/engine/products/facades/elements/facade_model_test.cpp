@@ -52,15 +52,47 @@ double top(const FacadeElement& e) {
   return e.ring[2].z;
 }
 
+// A window between two places along the wall, with the sill and the head of the others.
+FoundRectangle rectangle(double u0, double u1) {
+  FoundRectangle r;
+  r.side(Side::left).at = u0, r.side(Side::right).at = u1, r.side(Side::bottom).at = 1.5, r.side(Side::top).at = 3.2;
+  for (LocatedEdge& e : r.sides) e.error = 0.2, e.inner = e.at;
+  return r;
+}
+
+// Two findings of one window become one, the larger one; a third one has half of its area in common with it.
+TEST(FacadeModel, AnOpeningWithinAnotherIsTheSame) {
+  const FacadeSite site = scanned(windows_with_sills());
+  SparseFindings sparse;
+  sparse.openings = {rectangle(7.4, 8), rectangle(7, 8.1), rectangle(7.6, 8.6)};
+  sparse.box = {0, 9, 0, site.height};
+  sparse.step = 0.3;
+  const auto windows = of_kind(find_facade(RaySamples(site), {}, nullptr, sparse).facade, "window");
+  ASSERT_EQ(windows.size(), 5u);
+  EXPECT_NEAR(left(windows[3]), 7, 0.05);
+  EXPECT_NEAR(right(windows[4]), 8.6, 0.05);
+}
+
+// A strip of a window is seen below something that hides the wall up to the eaves.
+TEST(FacadeModel, AStripOfAnOpeningIsAPossibleOne) {
+  const FacadeSite site = scanned(windows_with_sills());
+  SparseFindings sparse;
+  sparse.openings = {rectangle(7, 8.1)};
+  LocatedEdge& top = sparse.openings[0].side(Side::top);
+  top.at = top.inner = 1.8, top.status = DrawnStatus::occluded, top.error = 3, top.beyond = 1.2;
+  sparse.box = {0, 9, 0, site.height};
+  sparse.step = 0.3;
+  const Facade facade = find_facade(RaySamples(site), {}, nullptr, sparse).facade;
+  EXPECT_EQ(of_kind(facade, "window").size(), 3u);
+  const auto possible = of_kind(facade, "possible opening");
+  ASSERT_EQ(possible.size(), 1u);
+  EXPECT_EQ(possible[0].reason, "too little of this opening was seen");
+  EXPECT_NEAR(possible[0].height_m, 0.3, 1e-9);
+}
+
 // Beyond the end of the wall, where its points are sparse, a window was found, and one of the wall once more.
 TEST(FacadeModel, SparsePartsBelongToTheFacade) {
   const FacadeSite site = scanned(windows_with_sills());
-  const auto rectangle = [](double u0, double u1) {
-    FoundRectangle r;
-    r.side(Side::left).at = u0, r.side(Side::right).at = u1, r.side(Side::bottom).at = 1.5, r.side(Side::top).at = 3.2;
-    for (LocatedEdge& e : r.sides) e.error = 0.2;
-    return r;
-  };
   SparseFindings sparse;
   sparse.openings = {rectangle(7, 8.1), rectangle(4.5, 5.6)};
   sparse.box = {0, 9, 0, site.height};

@@ -196,11 +196,14 @@ TEST(RegularFacade, AnOpeningOfWhichLessThanAQuarterWasSeenIsAPossibleOne) {
   EXPECT_FALSE(one[1].possible);  // nothing is known of the end of its gap
 }
 
-TEST(RegularFacade, ASlitIsOnlyAPossibleOpening) {
-  std::vector<ElementCandidate> slits{candidate(2, 2.2, 4, 5, 0.01), candidate(2, 2.2, 4, 5, 0.01, ElementKind::bulge)};
-  complete_elements(slits);
-  EXPECT_TRUE(slits[0].possible);
-  EXPECT_FALSE(slits[1].possible);
+// The wall is seen 0.5 m below: other windows that are 0.8 m higher than what was seen of this one say nothing of it.
+TEST(RegularFacade, AHiddenSideIsNotCompletedBeyondWhereTheWallIsSeen) {
+  std::vector<ElementCandidate> two{hidden_below(0.5), candidate(6, 7, 3.2, 5, 0.01)};
+  complete_elements(two);
+  EXPECT_DOUBLE_EQ(two[0].shape.at(Side::bottom), 4);
+  two[0] = hidden_below(0.9);
+  complete_elements(two);
+  EXPECT_DOUBLE_EQ(two[0].shape.at(Side::bottom), 3.2);
 }
 
 }  // namespace
