@@ -16,6 +16,7 @@
 #include "engine/products/facades/facade_labels.h"
 #include "engine/products/facades/facade_proofs.h"
 #include "engine/products/facades/rays/registration_error.h"
+#include "engine/products/facades/same_openings.h"
 #include "engine/products/facades/wall_pieces.h"
 #include "engine/products/facades/wall_reach.h"
 #include "engine/products/facades/wall_sides.h"
@@ -328,6 +329,7 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   run->found.resize(run->walls.size());
   find_each({settings, inputs, context, concurrency, observer}, dormers, tasks, *run);
   for (WallGroup& wall : run->walls) include_sparse_parts(wall, context.metres_per_unit);
+  drop_same_openings(run->found, context.metres_per_unit);
   edits.edit(run->found);
   join_facades(run->found, small_walls(run->walls, pieces.segments, sides, params, pieces.ends),
                settings.facades.advanced, context.metres_per_unit);
