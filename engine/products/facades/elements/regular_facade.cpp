@@ -228,7 +228,6 @@ bool complete_from_sill(ElementCandidate& t, const std::vector<ElementCandidate>
 // Whether a side may be at a place: it must not be inside of what was seen to be open, nor beyond where the wall is
 // seen.
 bool allowed(const LocatedEdge& edge, Side side, double at, const RegularParams& params) {
-  if (edge.beyond > 0 && outwards(side) * (at - edge.inner) > edge.beyond + params.alike) return false;
   const bool low = side == Side::left || side == Side::bottom;
   return low ? at <= edge.inner + params.alike : at >= edge.inner - params.alike;
 }

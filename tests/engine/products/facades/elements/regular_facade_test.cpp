@@ -196,15 +196,5 @@ TEST(RegularFacade, AnOpeningOfWhichLessThanAQuarterWasSeenIsAPossibleOne) {
   EXPECT_FALSE(one[1].possible);  // nothing is known of the end of its gap
 }
 
-// The wall is seen 0.5 m below: other windows that are 0.8 m higher than what was seen of this one say nothing of it.
-TEST(RegularFacade, AHiddenSideIsNotCompletedBeyondWhereTheWallIsSeen) {
-  std::vector<ElementCandidate> two{hidden_below(0.5), candidate(6, 7, 3.2, 5, 0.01)};
-  complete_elements(two);
-  EXPECT_DOUBLE_EQ(two[0].shape.at(Side::bottom), 4);
-  two[0] = hidden_below(0.9);
-  complete_elements(two);
-  EXPECT_DOUBLE_EQ(two[0].shape.at(Side::bottom), 3.2);
-}
-
 }  // namespace
 }  // namespace ilot
