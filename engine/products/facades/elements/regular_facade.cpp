@@ -225,8 +225,7 @@ bool complete_from_sill(ElementCandidate& t, const std::vector<ElementCandidate>
   return false;
 }
 
-// Whether a side may be at a place: it must not be inside of what was seen to be open, nor beyond where the wall is
-// seen.
+// Whether a side may be at a place: it must not be inside of what was seen to be open.
 bool allowed(const LocatedEdge& edge, Side side, double at, const RegularParams& params) {
   const bool low = side == Side::left || side == Side::bottom;
   return low ? at <= edge.inner + params.alike : at >= edge.inner - params.alike;

@@ -21,17 +21,17 @@ TEST(EdgeBounds, ABlurIsHowFarTheWrongSamplesLie) {
 
 // The wall ends behind a surround at any place of it: the middle of it with half of its width contains them all.
 TEST(EdgeBounds, AnEdgeBehindReliefIsWithinIt) {
-  constexpr double kWall = 0.1, kInner = -0.02;  // where the wall is seen to begin, and where the surround begins
+  constexpr double kWallFrom = 0.1, kInner = -0.02;  // where the wall is seen to begin, and where the surround begins
   Rng rng(3);
   std::vector<double> before;
-  for (int i = 0; i < 200; ++i) before.push_back(kInner + (kWall - kInner) * rng.uniform());
+  for (int i = 0; i < 200; ++i) before.push_back(kInner + (kWallFrom - kInner) * rng.uniform());
   const EdgeSplit split{0.0, 0.1, 0, true};
-  const double half = half_of_relief(before, 500, split, kWall);
-  EXPECT_NEAR(half, (kWall - kInner) / 2, 0.01);
-  for (const double edge : {kInner + 0.01, 0.04, kWall}) EXPECT_NEAR(edge, kWall - half, half + 1e-9);
-  EXPECT_EQ(half_of_relief(before, 2000, split, kWall), 0);  // a cable, not a surround
+  const double half = half_of_relief(before, 500, split, kWallFrom);
+  EXPECT_NEAR(half, (kWallFrom - kInner) / 2, 0.01);
+  for (const double edge : {kInner + 0.01, 0.04, kWallFrom}) EXPECT_NEAR(edge, kWallFrom - half, half + 1e-9);
+  EXPECT_EQ(half_of_relief(before, 2000, split, kWallFrom), 0);  // a cable, not a surround
   const std::vector<double> elsewhere{0.3, 0.31, 0.32};
-  EXPECT_EQ(half_of_relief(elsewhere, 3, split, kWall), 0);
+  EXPECT_EQ(half_of_relief(elsewhere, 3, split, kWallFrom), 0);
 }
 
 }  // namespace
