@@ -248,6 +248,31 @@ void add_samples(const FoundStreet& found, const Shares& shares, TrueStreet& tru
   street.candidates = found.candidates;
 }
 
+// Returns for each object the greatest overlap that a union of separated parts has with it. The parts of the best union
+// are those with the largest shares of points of the object.
+std::map<std::uint32_t, double> best_unions(const FoundStreet& found, const Shares& shares, const TrueStreet& truth) {
+  struct Part {
+    std::uint64_t common, points;
+  };
+  std::map<std::uint32_t, std::vector<Part>> parts;
+  for (std::size_t i = 1; i < shares.points.size(); ++i) {
+    if (found.candidates[i - 1].parts[0] != 0) continue;
+    for (const auto& [object, common] : shares.of_object[i]) parts[object].push_back({common, shares.points[i]});
+  }
+  std::map<std::uint32_t, double> best;
+  for (auto& [object, list] : parts) {
+    std::sort(list.begin(), list.end(),
+              [](const Part& a, const Part& b) { return a.common * b.points > b.common * a.points; });
+    std::uint64_t common = 0, points = 0;
+    for (const Part& part : list) {
+      common += part.common, points += part.points;
+      const std::uint64_t of_either = truth.objects.at(object).points + points - common;
+      best[object] = std::max(best[object], static_cast<double>(common) / static_cast<double>(of_either));
+    }
+  }
+  return best;
+}
+
 void print_lost(const TrueStreet& truth, const FoundStreet& found) {
   for (const auto& [id, o] : truth.objects)
     if (o.points > 0 && o.overlap < kHalf)
@@ -292,6 +317,7 @@ Street study(const fs::path& cloud, const Leaving& leaving) {
   const Shares shares = compare(*readers[0], found, truth, street);
   for (const auto& [id, object] : truth.objects) street.objects[object.class_name] += object.points > 0;
   add_samples(found, shares, truth, street);
+  street.unions = best_unions(found, shares, truth);
   street.blocks = truth.blocks.size();
   street.view = found.view;
   print_lost(truth, found);

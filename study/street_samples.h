@@ -23,8 +23,9 @@ struct Street {
   std::map<std::string, std::uint64_t> objects;  // objects that were seen, by class
   std::map<std::uint32_t, PointLabel> classes;   // of objects
   std::uint64_t blocks = 0, ground = 0, ground_found = 0;
-  StreetBounds bounds;                   // without trunks; only after study()
-  StreetView view = StreetView::street;  // only after study()
+  StreetBounds bounds;                     // without trunks; only after study()
+  std::map<std::uint32_t, double> unions;  // by object: greatest overlap of any union of parts; only after study()
+  StreetView view = StreetView::street;    // only after study()
 };
 
 // Returns the classes of objects as truth files name them.

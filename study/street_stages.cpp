@@ -26,7 +26,7 @@ constexpr double kHalf = 0.5;
 constexpr std::uint64_t kLeastStanding = 3;  // points of an object of a run
 constexpr std::array<std::uint64_t, 4> kGroups{1, 3, 10, 50};
 
-enum Stage : std::uint8_t { kTrue, kMeasure, kApart, kAbove, kCandidate, kTaken, kStages };
+enum Stage : std::uint8_t { kTrue, kMeasure, kApart, kAbove, kUnion, kCandidate, kTaken, kStages };
 using Counts = std::array<std::uint64_t, kStages>;
 
 struct Table {
@@ -80,31 +80,35 @@ Table table_of(const Street& street) {
   for (const auto& [object, o] : street.bounds.objects()) {
     const bool measure = o.standing() >= kLeastStanding && 2 * o.standing() >= o.points;
     const bool candidate = best.count(object) != 0, is_found = found.count(object) != 0;
-    const std::array<bool, kStages> kept{true,      measure, measure && o.apart >= kHalf, measure && o.above >= kHalf,
-                                         candidate, is_found};
+    const auto joined = street.unions.find(object);
+    const bool in_parts = joined != street.unions.end() && joined->second >= kHalf;
+    const std::array<bool, kStages> kept{
+        true, measure, measure && o.apart >= kHalf, measure && o.above >= kHalf, in_parts, candidate, is_found};
     std::size_t group = kGroups.size() - 1;
     while (o.points < kGroups[group]) --group;
     for (std::size_t s = 0; s < kStages; ++s) table.of_group[group][s] += kept[s];
     if (!is_found && o.points >= kLeastStanding)
-      ++table.of_cause[candidate ? fate_of(best.at(object), classes, taken, parent) : place_of_most(o)];
+      ++table.of_cause[candidate  ? fate_of(best.at(object), classes, taken, parent)
+                       : in_parts ? "no candidate: its parts are not joined"
+                                  : place_of_most(o)];
   }
   return table;
 }
 
 void print(const char* title, const Table& table) {
-  fmt::print("\n{}\n{:22} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", title, "points of the object", "true", "measure",
-             "apart", "above", "candidate", "taken");
+  fmt::print("\n{}\n{:22} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", title, "points of the object", "true",
+             "measure", "apart", "above", "union", "candidate", "taken");
   Counts all{};
   for (std::size_t g = 0; g < kGroups.size(); ++g) {
     const Counts& n = table.of_group[g];
-    fmt::print("{:22} {:9} {:9} {:9} {:9} {:9} {:9}\n",
+    fmt::print("{:22} {:9} {:9} {:9} {:9} {:9} {:9} {:9}\n",
                g + 1 < kGroups.size() ? fmt::format("{} to {}", kGroups[g], kGroups[g + 1] - 1)
                                       : fmt::format("{} and more", kGroups[g]),
-               n[kTrue], n[kMeasure], n[kApart], n[kAbove], n[kCandidate], n[kTaken]);
+               n[kTrue], n[kMeasure], n[kApart], n[kAbove], n[kUnion], n[kCandidate], n[kTaken]);
     for (std::size_t s = 0; s < kStages; ++s) all[s] += n[s];
   }
-  fmt::print("{:22} {:9} {:9} {:9} {:9} {:9} {:9}\n", "all", all[kTrue], all[kMeasure], all[kApart], all[kAbove],
-             all[kCandidate], all[kTaken]);
+  fmt::print("{:22} {:9} {:9} {:9} {:9} {:9} {:9} {:9}\n", "all", all[kTrue], all[kMeasure], all[kApart], all[kAbove],
+             all[kUnion], all[kCandidate], all[kTaken]);
   for (const auto& [cause, n] : table.of_cause) fmt::print("  {:44} {:6}\n", cause, n);
 }
 

@@ -4,6 +4,7 @@
 // Points of no class are rooms behind windows and points between two surfaces: a cell that has no others is of a
 // facade. Usage: study_structures STREET.laz... --model FILE [--most N] [--few N] [--rounds N] [LEAVING OUT]...
 //        [--check STREET.laz...]
+//        study_structures --judge MODEL [LEAVING OUT]... --check STREET.laz...
 // With --most, at most N cells of a kind are taken from each street, evenly spread. Points are also left out: with
 // --cut H those higher than H metres above the road, with --bare H these and the ground, with --thin N all but one in
 // N. Each street is used as it is, and in one of these ways in turn, with at most --few cells of a kind. The streets
@@ -14,6 +15,8 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 #include "engine/pass/index.h"
@@ -179,7 +182,7 @@ void check(const StructureModel& model, const std::vector<std::string>& clouds, 
 
 struct Arguments {
   std::vector<std::string> clouds, checked;
-  fs::path model;
+  fs::path model, judged;
   std::size_t most = 500, few = 150;
   std::vector<Leaving> leavings;
   TreeBoostingParams trees;
@@ -192,6 +195,8 @@ Arguments read_arguments(const std::vector<std::string>& words) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (words[i] == "--model" && i + 1 < words.size())
       a.model = words[++i];
+    else if (words[i] == "--judge" && i + 1 < words.size())
+      a.judged = words[++i];
     else if (words[i] == "--most" && i + 1 < words.size())
       a.most = std::stoul(words[++i]);
     else if (words[i] == "--few" && i + 1 < words.size())
@@ -205,14 +210,14 @@ Arguments read_arguments(const std::vector<std::string>& words) {
     else
       list->push_back(words[i]);
   }
-  if (a.clouds.empty() || a.model.empty())
+  if (a.judged.empty() ? a.clouds.empty() || a.model.empty() : a.checked.empty())
     throw std::runtime_error(
         "usage: study_structures STREET.laz... --model FILE [--most N] [--few N] [--rounds N] [--cut H] [--bare H] "
         "[--thin N] [--check STREET.laz...]");
   return a;
 }
 
-void run(const Arguments& a) {
+StructureModel trained(const Arguments& a) {
   Samples samples;
   std::string names;
   for (std::size_t c = 0; c < a.clouds.size(); ++c) {
@@ -229,6 +234,17 @@ void run(const Arguments& a) {
                              a.few, a.trees.rounds, samples.kinds.size());
   write_whole_file(a.model, structure_model_text(model));
   fmt::print("{}: {} cells, {} trees\n", a.model.string(), samples.kinds.size(), model.trees.trees());
+  return model;
+}
+
+StructureModel read_model(const fs::path& path) {
+  std::stringstream text;
+  text << std::ifstream(path).rdbuf();
+  return parse_structure_model(text.str(), path.string());
+}
+
+void run(const Arguments& a) {
+  const StructureModel model = a.judged.empty() ? trained(a) : read_model(a.judged);
   check(model, a.checked, {});
   for (const Leaving& leaving : a.leavings) check(model, a.checked, leaving);
 }

@@ -12,6 +12,9 @@
 namespace ilot {
 namespace {
 
+// Choice: one more than for classes, as there are a hundred times more samples.
+constexpr std::size_t kRoleDepth = 5;  // of a tree
+
 CandidateKind nature_of(const TrainingSample& s) {
   if (s.role == CandidateRole::part) return CandidateKind::part;
   if (s.role == CandidateRole::merged) return CandidateKind::merged;
@@ -42,7 +45,9 @@ ColumnTrees train_stage(const ChosenSamples& chosen, std::span<const KindShares>
   const std::vector<CandidateRelations> relations = candidate_relations(from.features, from.parts);
   const std::vector<double> rows =
       role_rows(stage.columns, {from.features, relations, from.predicted}, 0, from.features.size());
-  stage.trees = boost_trees({stage.columns.size(), kCandidateKinds, rows, kinds});
+  TreeBoostingParams params;
+  params.depth = kRoleDepth;
+  stage.trees = boost_trees({stage.columns.size(), kCandidateKinds, rows, kinds}, params);
   return only_used(std::move(stage));
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/products/streets/objects/candidate_bins.h"
 #include "engine/products/streets/objects/candidate_shape.h"
 #include "engine/products/streets/objects/moment_rectangle.h"
 #include "engine/products/streets/objects/structures_beside.h"
@@ -145,6 +146,7 @@ std::vector<ObjectCandidate> describe(const PixelLabels& labels, const Component
                                       const RasterScale& scale, const ObjectCandidateParams& params) {
   std::vector<ObjectCandidate> out = Describer(images, scale, params).described(labels);
   set_shapes(labels, images, scale, out);
+  set_bin_features(labels, images, scale, out);
   return out;
 }
 

@@ -301,13 +301,15 @@ class CandidateFinder {
 
 const char* candidate_feature_name(std::size_t feature) {
   static constexpr const char* kOwn[] = {
-      "low share",     "ground share",  "roughness",   "length",      "width",          "inner pass",  "outer pass",
-      "fill",          "lesser share",  "top step",    "mean step",   "joined share",   "rise",        "joined fill",
-      "joined length", "upright share", "evenness",    "free run",    "touch share",    "joint share", "box length",
-      "box width",     "box fill",      "high length", "high width",  "high share",     "half share",  "ends height",
-      "sides height",  "unevenness",    "foot length", "foot width",  "foot share",     "waist share", "head share",
-      "solid share",   "wall distance", "wall mean",   "crown share", "overhang share", "edge ground", "edge standing",
-      "edge building", "points",        "pixel",       "root share",  "root length"};
+      "low share",     "ground share", "roughness",     "length",         "width",        "inner pass",
+      "outer pass",    "fill",         "lesser share",  "top step",       "mean step",    "joined share",
+      "rise",          "joined fill",  "joined length", "upright share",  "evenness",     "free run",
+      "touch share",   "joint share",  "box length",    "box width",      "box fill",     "high length",
+      "high width",    "high share",   "half share",    "ends height",    "sides height", "unevenness",
+      "foot length",   "foot width",   "foot share",    "waist share",    "head share",   "solid share",
+      "wall distance", "wall mean",    "crown share",   "overhang share", "edge ground",  "edge standing",
+      "edge building", "points",       "pixel",         "root share",     "root length",  "neighbour bins",
+      "linear",        "planar",       "upright axis",  "level normal",   "lowest bin",   "thickness"};
   if (feature < kComponentFeatures) return feature_name(static_cast<ComponentFeature>(feature));
   return kOwn[feature - kComponentFeatures];
 }

@@ -63,8 +63,17 @@ enum class CandidateFeature : std::uint8_t {
   pixel_size,      // metres
   root_share,      // its share of the area of all that is joined with it in the end
   root_length,     // metres; length of all of that
+  // Of how its occupied bins lie; 0 with no occupancy (candidate_bins.h). The spread is the covariance of their
+  // middles.
+  neighbour_bins,  // mean number of its occupied bins that touch one of them, of 26
+  linear,          // largest less middle eigenvalue of the spread, divided by the largest
+  planar,          // middle less smallest, divided by the largest
+  upright_axis,    // |z| of the direction of the largest
+  level_normal,    // |z| of the direction of the smallest
+  lowest_bin,      // metres above the ground; lower side of the lowest
+  thickness,       // metres; standard deviation along the direction of the smallest
 };
-constexpr std::size_t kCandidateFeatures = kComponentFeatures + 47;
+constexpr std::size_t kCandidateFeatures = kComponentFeatures + 54;
 using CandidateFeatures = std::array<double, kCandidateFeatures>;
 const char* candidate_feature_name(std::size_t feature);
 

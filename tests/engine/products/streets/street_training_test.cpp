@@ -63,13 +63,19 @@ const std::vector<TestObject>& test_objects() {
   return list;
 }
 
+// The street with the objects as boxes: their tops, and their sides down to the ground.
 std::vector<Index3> points_of_objects() {
-  std::vector<Index3> points = street_points(1, 0);
+  constexpr std::int64_t kSide = 60, kStep = 50;  // millimetres: what counts as a side, and between its points
+  std::vector<Index3> points = street_points(1, 0), sides;
   for (Index3& p : points)
     for (const TestObject& s : test_objects()) {
       const std::int64_t x = p.x - 700000000 - s.x, y = p.y - 660000000 - s.y;
-      if (x >= 0 && x < s.length && y >= 0 && y < s.width) p.z += s.height;
+      if (x < 0 || x >= s.length || y < 0 || y >= s.width) continue;
+      if (x < kSide || y < kSide || s.length - x <= kSide || s.width - y <= kSide)
+        for (std::int64_t z = 0; z < s.height; z += kStep) sides.push_back({p.x, p.y, p.z + z});
+      p.z += s.height;
     }
+  points.insert(points.end(), sides.begin(), sides.end());
   return points;
 }
 

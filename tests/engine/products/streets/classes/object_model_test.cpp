@@ -46,7 +46,7 @@ TEST(ObjectModel, ClassesThatItHasNotSeen) {
     EXPECT_GE(c.probability, 1.0 / 3);
     EXPECT_LE(c.probability, 1.0);
   }
-  EXPECT_EQ(right, others.size());
+  EXPECT_GE(right, others.size() * 95 / 100);
   EXPECT_GT(probability / static_cast<double>(others.size()), 0.9);
 }
 
@@ -105,7 +105,7 @@ TEST(ObjectModel, ClassesOfTreesAreThoseOfTheirTextToo) {
 // Half of the labels of two classes are drawn at random, so no probability of these may be near 1.
 TEST(ObjectModel, ProbabilitiesOfTreesAreThoseOfUnseenSamples) {
   const auto drawn = [](std::uint64_t seed) {
-    auto samples = samples_of(200, seed);
+    auto samples = samples_of(400, seed);
     Rng rng(seed, 5);
     for (TrainingSample& s : samples)
       if (s.label != PointLabel::car) s.label = kLabels[1 + rng.below(2)];
