@@ -213,7 +213,7 @@ Arguments read_arguments(const std::vector<std::string>& words) {
   if (a.judged.empty() ? a.clouds.empty() || a.model.empty() : a.checked.empty())
     throw std::runtime_error(
         "usage: study_structures STREET.laz... --model FILE [--most N] [--few N] [--rounds N] [--cut H] [--bare H] "
-        "[--thin N] [--check STREET.laz...]");
+        "[--thin N] [--check STREET.laz...], or study_structures --judge MODEL --check STREET.laz...");
   return a;
 }
 
@@ -238,8 +238,10 @@ StructureModel trained(const Arguments& a) {
 }
 
 StructureModel read_model(const fs::path& path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error(path.string() + ": cannot be read");
   std::stringstream text;
-  text << std::ifstream(path).rdbuf();
+  text << file.rdbuf();
   return parse_structure_model(text.str(), path.string());
 }
 

@@ -13,6 +13,9 @@
 namespace ilot {
 namespace {
 
+// Derived: keeps the ratios of a single bin finite, at 0; a micrometre squared.
+constexpr double kLeastSpread = 1e-12;  // square metres
+
 // The occupied bins of one candidate: their number, the sum of the numbers of their occupied neighbours, and the sums
 // of their positions, from the first of them, in metres.
 struct Bins {
@@ -82,7 +85,7 @@ void write(const Bins& bins, const RasterScale& scale, ObjectCandidate& c) {
   if (bins.count == 0) return;
   const Eigen3 spread = eigen_symmetric(bins.covariance());
   const std::array<double, 3>& v = spread.values;
-  const double most = std::max(v[2], 1e-12);  // Derived: keeps the ratios of a single bin finite, at 0
+  const double most = std::max(v[2], kLeastSpread);
   set(CandidateFeature::neighbour_bins, static_cast<double>(bins.neighbours) / static_cast<double>(bins.count));
   set(CandidateFeature::linear, std::max(0.0, v[2] - v[1]) / most);
   set(CandidateFeature::planar, std::max(0.0, v[1] - v[0]) / most);
