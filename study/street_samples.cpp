@@ -308,8 +308,7 @@ Street study(const fs::path& cloud, const Leaving& leaving) {
   const fs::path folder = fs::temp_directory_path() / ("bench_streets_" + cloud.stem().string() + leaving.name());
   fs::remove_all(folder);
   fs::create_directories(folder);
-  std::vector<std::unique_ptr<PointReader>> readers;
-  readers.push_back(open_street(cloud, leaving));
+  const std::vector<std::unique_ptr<PointReader>> readers = open_street(cloud, leaving);
   PassContext context;
   const IndexResult index = build_index(readers, {}, folder, context);
   const FoundStreet found = find_street(index.store, {}, context);

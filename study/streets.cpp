@@ -7,12 +7,13 @@
 // each street is used twice: as it is, and without the points higher than H metres above the road. The classifier
 // learns from both, and each kind is evaluated separately. With --roles MODEL, the roles are those of that model, and
 // only the classes are learnt. With --thin N, the classes are also learnt from one point in N of each street, with
-// --bare H from each street without its ground and what is higher than H; the roles are not, unless --all-roles is
+// --bare H from each street without its ground and what is higher than H, with --floor N from each street with points
+// of the ground below its objects; the roles are not, unless --all-roles is
 // given. With --in-turn, each street is used as it is and in one of these ways in turn. Where there are many streets,
 // the folds of the training keep each of them together. With --stated MODEL, that model learns what probabilities it
 // states from the streets, which it must not have been trained with, and is written again.
 //
-// Usage: study_streets STREET.laz... [--cut H] [--bare H] [--thin N]... [--all-roles] [--in-turn] [--air]
+// Usage: study_streets STREET.laz... [--cut H] [--bare H] [--thin N]... [--floor N] [--all-roles] [--in-turn] [--air]
 //        [--cache FOLDER] [--model FILE] [--roles MODEL] [--judge MODEL] [--stated MODEL] [--only-model | --everything
 //        | --shipped]
 #include <fmt/format.h>
@@ -321,7 +322,7 @@ Arguments read_arguments(const std::vector<std::string>& words) {
   if (a.clouds.empty())
     throw std::runtime_error("usage: study_streets STREET.laz... [--cut H] [--cache FOLDER] [--model FILE]");
   if (a.in_turn && a.cut > 0) a.others.insert(a.others.begin(), {a.cut, 1, false}), a.cut = 0;
-  if (a.in_turn && a.others.empty()) throw std::runtime_error("--in-turn needs --cut, --bare or --thin");
+  if (a.in_turn && a.others.empty()) throw std::runtime_error("--in-turn needs --cut, --bare, --thin or --floor");
   return a;
 }
 

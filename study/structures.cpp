@@ -97,8 +97,7 @@ Cloud cells_of_cloud(const fs::path& cloud, const Leaving& leaving) {
   const fs::path folder = fs::temp_directory_path() / ("study_structures_" + cloud.stem().string() + leaving.name());
   fs::remove_all(folder);
   fs::create_directories(folder);
-  std::vector<std::unique_ptr<PointReader>> readers;
-  readers.push_back(open_street(cloud, leaving));
+  const std::vector<std::unique_ptr<PointReader>> readers = open_street(cloud, leaving);
   PassContext context;
   const IndexResult index = build_index(readers, {}, folder, context);
   const StreetPixel pixel = street_pixel(index.store, {}, context);
