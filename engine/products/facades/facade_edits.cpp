@@ -246,10 +246,7 @@ class FacadeEditor {
   void clear_unseen(const Box2& box, EditedFacade& edited) const {
     std::erase_if(edited.elements, [&](const EditedElement& e) {
       if (!is_unseen_place(e.element)) return false;
-      const double own = e.now.width() * e.now.height();
-      const double common = std::max(0.0, std::min(box.u1, e.now.u1) - std::max(box.u0, e.now.u0)) *
-                            std::max(0.0, std::min(box.v1, e.now.v1) - std::max(box.v0, e.now.v0));
-      return common > params_.same_area * own;
+      return common_area(box, e.now) > params_.same_area * area_of(e.now);
     });
   }
 
@@ -321,17 +318,6 @@ std::vector<std::optional<std::size_t>> edit_sides(std::span<const Edit* const> 
     wall.side_odds = INFINITY;
   }
   return turned;
-}
-
-std::uint64_t unseen_sides(const FacadeElement& e) {
-  const auto unseen = [](const FacadeEdge& edge) {
-    return edge.status == DrawnStatus::completed || edge.status == DrawnStatus::occluded;
-  };
-  if (e.arcs.empty() || e.edges.size() < 4)
-    return static_cast<std::uint64_t>(std::count_if(e.edges.begin(), e.edges.end(), unseen));
-  // The chords of an arch lie between its right and its left side, which is the last one.
-  return static_cast<std::uint64_t>(unseen(e.edges[0])) + unseen(e.edges[1]) + unseen(e.edges[2]) +
-         unseen(e.edges.back());
 }
 
 }  // namespace ilot

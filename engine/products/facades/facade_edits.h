@@ -41,7 +41,4 @@ void check_facade_edits(std::span<const Edit> edits, double metres_per_unit);
 std::vector<std::optional<std::size_t>> edit_sides(std::span<const Edit* const> edits, std::span<WallGroup> walls,
                                                    const FacadeEditParams& params);
 
-// The number of sides of an element that are drawn although they were not seen.
-std::uint64_t unseen_sides(const FacadeElement& element);
-
 }  // namespace ilot
