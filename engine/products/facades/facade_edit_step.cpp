@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "engine/products/facades/elements/facade_elements.h"
+
 namespace ilot {
 namespace {
 

@@ -66,7 +66,9 @@ bool is_unseen_place(const FacadeElement& e) {
 
 class FacadeEditor {
  public:
-  FacadeEditor(std::span<Facade* const> facades, const FacadeEditParams& params) : params_(params) {
+  // With `invent` an edit without a partner makes one: so edits are held against each other before anything is known.
+  FacadeEditor(std::span<Facade* const> facades, const FacadeEditParams& params, bool invent)
+      : params_(params), invent_(invent) {
     for (Facade* facade : facades) {
       EditedFacade& edited = facades_.emplace_back();
       edited.facade = facade;
@@ -80,24 +82,23 @@ class FacadeEditor {
     }
   }
 
-  // With `invent` an edit without a partner makes one: so edits are held against each other before anything is known.
-  EditResult make(const Edit& edit, bool invent) {
-    if (edit.action == EditAction::added) return add(edit, invent);
+  EditResult make(const Edit& edit) {
+    if (edit.action == EditAction::added) return add(edit);
     std::optional<Fit> fit = best_fit(edit);
-    if (!fit && invent) fit = invented(edit);
+    if (!fit && invent_) fit = invented(edit);
     if (!fit)
       return {EditOutcome::without_partner,
               fmt::format("no {} of any facade has half of its area in common with the rectangle of this edit",
                           edit.kind.empty() ? "opening" : edit.kind)};
     EditedElement& e = facades_[fit->facade].elements[fit->element];
     if (e.deleted) {
-      if (edit.action != EditAction::deleted) refuse_contradiction(*e.placed, edit);
+      if (edit.action != EditAction::deleted) return contradicted(*e.placed, edit, fit->facade);
       return {EditOutcome::repeated, {}};
     }
     facades_[fit->facade].touched = true;
     if (edit.action == EditAction::deleted) return remove(edit, *fit, e);
     if (edit.action == EditAction::moved) return move(edit, *fit, e);
-    return rename(edit, e);
+    return rename(edit, *fit, e);
   }
 
   void write() const {
@@ -181,7 +182,26 @@ class FacadeEditor {
     return {wall.facade, edited.elements.size() - 1, 1, 1, true, 0};
   }
 
-  EditResult add(const Edit& edit, bool invent) {
+  Box2 box_of_corners(const Facade& facade, const std::vector<Vec3>& corners) const {
+    const auto place = [&](Vec3 p) {
+      const Vec3 d = params_.metres_per_unit * (p - facade.origin);
+      return Place2{dot(d, facade.right), dot(d, facade.up)};
+    };
+    return box_of(std::array<Place2, 2>{{place(corners[0]), place(corners[1])}});
+  }
+
+  // Two edits contradict each other if they are of one opening by themselves. If only the opening that was found has
+  // both as partners, it was two where they were drawn (one on each sheet of a wall): the later one has none.
+  EditResult contradicted(const Edit& earlier, const Edit& later, std::size_t on) const {
+    const Facade& facade = *facades_[on].facade;
+    const Box2 box = box_of_corners(facade, later.at);
+    bool of_one = invent_ || shared_area(box_of_corners(facade, earlier.at), box) >= params_.same_area;
+    if (earlier.to.size() == 2) of_one |= shared_area(box_of_corners(facade, earlier.to), box) >= params_.same_area;
+    if (of_one) refuse_contradiction(earlier, later);
+    return {EditOutcome::without_partner, fmt::format("it was one opening with that of {}", earlier.where)};
+  }
+
+  EditResult add(const Edit& edit) {
     const std::vector<OnWall> walls = on_walls(edit.at);
     if (walls.empty()) return {EditOutcome::without_partner, "no facade is where this opening would be added"};
     EditedFacade& edited = facades_[walls[0].facade];
@@ -192,7 +212,8 @@ class FacadeEditor {
       if (same == nullptr || shared_area(box, e.now) > shared_area(box, same->now)) same = &e;
     }
     if (same != nullptr && same->placed != nullptr) {
-      if (!alike(box, same->now) || same->element.kind != edit.kind) refuse_contradiction(*same->placed, edit);
+      if (!alike(box, same->now) || same->element.kind != edit.kind)
+        return contradicted(*same->placed, edit, walls[0].facade);
       return {EditOutcome::repeated, {}};
     }
     edited.touched = true;
@@ -205,13 +226,14 @@ class FacadeEditor {
     }
     same->placed = &edit;
     same->now = box;
-    if (!invent) clear_unseen(box, edited);
+    if (!invent_) clear_unseen(box, edited);
     return {};
   }
 
   EditResult remove(const Edit& edit, const Fit& fit, EditedElement& e) {
-    if (e.placed != nullptr && e.found && !(fit.now > fit.found)) refuse_contradiction(*e.placed, edit);
-    if (e.named != nullptr && !edit.kind.empty() && edit.kind != e.element.kind) refuse_contradiction(*e.named, edit);
+    if (e.placed != nullptr && e.found && !(fit.now > fit.found)) return contradicted(*e.placed, edit, fit.facade);
+    if (e.named != nullptr && !edit.kind.empty() && edit.kind != e.element.kind)
+      return contradicted(*e.named, edit, fit.facade);
     e.deleted = true;
     e.placed = &edit;
     return {};
@@ -220,24 +242,20 @@ class FacadeEditor {
   EditResult move(const Edit& edit, const Fit& fit, EditedElement& e) {
     EditedFacade& edited = facades_[fit.facade];
     const Facade& facade = *edited.facade;
-    const auto place = [&](Vec3 p) {
-      const Vec3 d = params_.metres_per_unit * (p - facade.origin);
-      return Place2{dot(d, facade.right), dot(d, facade.up)};
-    };
-    const Box2 to = box_of(std::array<Place2, 2>{{place(edit.to[0]), place(edit.to[1])}});
+    const Box2 to = box_of_corners(facade, edit.to);
     if (e.placed != nullptr && alike(to, e.now)) return {EditOutcome::repeated, {}};
-    if (e.placed != nullptr && e.found && !(fit.now > fit.found)) refuse_contradiction(*e.placed, edit);
+    if (e.placed != nullptr && e.found && !(fit.now > fit.found)) return contradicted(*e.placed, edit, fit.facade);
     move_element(facade, to, params_.same_m, params_.metres_per_unit, e.element);
     e.now = to;
     e.placed = &edit;
-    if (!edit.to_kind.empty()) rename(edit, e);
+    if (!edit.to_kind.empty()) rename(edit, fit, e);
     clear_unseen(to, edited);
     return {};
   }
 
-  EditResult rename(const Edit& edit, EditedElement& e) {
+  EditResult rename(const Edit& edit, const Fit& fit, EditedElement& e) {
     if (e.named != nullptr && e.element.kind == edit.to_kind) return {EditOutcome::repeated, {}};
-    if (e.named != nullptr && edit.kind != e.element.kind) refuse_contradiction(*e.named, edit);
+    if (e.named != nullptr && edit.kind != e.element.kind) return contradicted(*e.named, edit, fit.facade);
     rename_opening(edit.to_kind, e.element);
     e.named = &edit;
     return {};
@@ -246,10 +264,7 @@ class FacadeEditor {
   void clear_unseen(const Box2& box, EditedFacade& edited) const {
     std::erase_if(edited.elements, [&](const EditedElement& e) {
       if (!is_unseen_place(e.element)) return false;
-      const double own = e.now.width() * e.now.height();
-      const double common = std::max(0.0, std::min(box.u1, e.now.u1) - std::max(box.u0, e.now.u0)) *
-                            std::max(0.0, std::min(box.v1, e.now.v1) - std::max(box.v0, e.now.v0));
-      return common > params_.same_area * own;
+      return common_area(box, e.now) > params_.same_area * area_of(e.now);
     });
   }
 
@@ -259,6 +274,7 @@ class FacadeEditor {
   }
 
   FacadeEditParams params_;
+  bool invent_;
   std::vector<EditedFacade> facades_;
 };
 
@@ -283,10 +299,10 @@ std::optional<std::size_t> wall_at(Vec3 place, std::span<const WallGroup> walls,
 
 std::vector<EditResult> edit_facades(std::span<const Edit* const> edits, std::span<Facade* const> facades,
                                      const FacadeEditParams& params) {
-  FacadeEditor editor(facades, params);
+  FacadeEditor editor(facades, params, false);
   std::vector<EditResult> results;
   for (const Edit* edit : edits)
-    results.push_back(edit->action == EditAction::side ? EditResult{} : editor.make(*edit, false));
+    results.push_back(edit->action == EditAction::side ? EditResult{} : editor.make(*edit));
   editor.write();
   return results;
 }
@@ -295,11 +311,11 @@ void check_facade_edits(std::span<const Edit> edits, double metres_per_unit) {
   FacadeEditParams params;
   params.metres_per_unit = metres_per_unit;
   std::vector<std::unique_ptr<Facade>> walls;
-  FacadeEditor editor({}, params);
+  FacadeEditor editor({}, params, true);
   for (const Edit* edit : edits_of(edits, "facades")) {
     if (edit->action == EditAction::side) continue;
     editor.invent_wall(*edit, walls);
-    editor.make(*edit, true);
+    editor.make(*edit);
   }
 }
 
@@ -321,17 +337,6 @@ std::vector<std::optional<std::size_t>> edit_sides(std::span<const Edit* const> 
     wall.side_odds = INFINITY;
   }
   return turned;
-}
-
-std::uint64_t unseen_sides(const FacadeElement& e) {
-  const auto unseen = [](const FacadeEdge& edge) {
-    return edge.status == DrawnStatus::completed || edge.status == DrawnStatus::occluded;
-  };
-  if (e.arcs.empty() || e.edges.size() < 4)
-    return static_cast<std::uint64_t>(std::count_if(e.edges.begin(), e.edges.end(), unseen));
-  // The chords of an arch lie between its right and its left side, which is the last one.
-  return static_cast<std::uint64_t>(unseen(e.edges[0])) + unseen(e.edges[1]) + unseen(e.edges[2]) +
-         unseen(e.edges.back());
 }
 
 }  // namespace ilot

@@ -30,7 +30,9 @@ struct FacadeEditParams {
 // Moves, adds, deletes and renames elements, in the order of the edits; edits of sides are left out. An edit belongs to
 // the element of its kind that has most of its rectangle in common with it, where it was found or where an earlier edit
 // has put it. What was edited has the status by_hand, and so have the edges that moved: they state no error. The ids
-// are dense again. Throws a usage Error for two edits that contradict each other. O(edits x elements).
+// are dense again. Throws a usage Error for two edits that contradict each other. Where two rectangles that are not of
+// one opening have one opening as partner and say different things of it, the later one is without a partner. O(edits x
+// elements).
 std::vector<EditResult> edit_facades(std::span<const Edit* const> edits, std::span<Facade* const> facades,
                                      const FacadeEditParams& params);
 
@@ -40,8 +42,5 @@ void check_facade_edits(std::span<const Edit> edits, double metres_per_unit);
 // Turns the walls whose street side the edits name. Returns the number of the wall of each edit of a side, or nothing.
 std::vector<std::optional<std::size_t>> edit_sides(std::span<const Edit* const> edits, std::span<WallGroup> walls,
                                                    const FacadeEditParams& params);
-
-// The number of sides of an element that are drawn although they were not seen.
-std::uint64_t unseen_sides(const FacadeElement& element);
 
 }  // namespace ilot

@@ -2,9 +2,13 @@
 #include "engine/products/facades/same_openings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <vector>
+
+#include "engine/products/facades/elements/facade_elements.h"
 
 namespace ilot {
 namespace {
@@ -16,11 +20,12 @@ constexpr double kWall = 0.3;  // metres between the planes of two facades of on
 // Derived: more than half, so that an opening has one partner only.
 constexpr double kMostOf = 0.5;  // share of the smaller opening that two have in common
 
-// An opening of a facade and how well it is known.
+// An opening of a facade, and how well it is known.
 struct DrawnOpening {
   std::size_t facade = 0, element = 0;
-  std::uint64_t unseen = 0;  // edges
-  double error = 0;          // metres, of all edges together
+  std::array<Vec3, 4> corners;  // of its box
+  std::uint64_t unseen = 0;     // sides
+  double error = 0;             // metres, the mean of all edges
 
   bool better_than(const DrawnOpening& o) const {
     if (unseen != o.unseen) return unseen < o.unseen;
@@ -29,83 +34,113 @@ struct DrawnOpening {
   }
 };
 
-// A ring in the axes of a facade, in metres: its box and its mean distance before the plane.
+// The corners of the box around a ring along the axes of its facade.
+std::array<Vec3, 4> corners_of(const Facade& f, const std::vector<Vec3>& ring) {
+  std::vector<Place2> places;
+  double w = 0;
+  for (const Vec3& p : ring) {
+    const Vec3 off = p - f.origin;
+    places.push_back({dot(off, f.right), dot(off, f.up)});
+    w += dot(off, f.out) / static_cast<double>(ring.size());
+  }
+  const Box2 box = box_of(places);
+  const auto corner = [&](double u, double v) { return f.origin + u * f.right + v * f.up + w * f.out; };
+  return {corner(box.u0, box.v0), corner(box.u1, box.v0), corner(box.u1, box.v1), corner(box.u0, box.v1)};
+}
+
+// Corners in the axes of a facade, in metres: their box and their mean distance before the plane.
 struct OnFacade {
   Box2 box;
   double w = 0;
 };
 
-OnFacade on_facade(const Facade& f, const std::vector<Vec3>& ring, double metres_per_unit) {
-  std::vector<Place2> places;
+OnFacade on_facade(const Facade& f, const std::array<Vec3, 4>& corners, double metres_per_unit) {
+  std::array<Place2, 4> places;
   OnFacade out;
-  for (const Vec3& p : ring) {
-    const Vec3 off = metres_per_unit * (p - f.origin);
-    places.push_back({dot(off, f.right), dot(off, f.up)});
-    out.w += dot(off, f.out) / static_cast<double>(ring.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec3 off = metres_per_unit * (corners[i] - f.origin);
+    places[i] = {dot(off, f.right), dot(off, f.up)};
+    out.w += dot(off, f.out) / static_cast<double>(corners.size());
   }
   out.box = box_of(places);
   return out;
 }
 
-double area_of(const Box2& b) {
-  return std::max(0.0, b.width()) * std::max(0.0, b.height());
+bool face_alike(const Facade& a, const Facade& b) {
+  return dot(a.out, b.out) >= kParallel;
 }
 
-bool are_same(const Facade& f, const FacadeElement& a, const Facade& g, const FacadeElement& b, double unit) {
-  if (dot(f.out, g.out) < kParallel) return false;
-  const OnFacade p = on_facade(f, a.ring, unit), q = on_facade(f, b.ring, unit);
+// Whether most of an area of a facade is that of an opening of another sheet of its wall, or of most of this opening
+// where it may be the smaller one.
+bool is_same(const Facade& own, const DrawnOpening& area, const DrawnOpening& other, double unit, bool or_of_other) {
+  const OnFacade p = on_facade(own, area.corners, unit), q = on_facade(own, other.corners, unit);
   if (std::abs(p.w - q.w) > kWall) return false;
-  const Box2 common{std::max(p.box.u0, q.box.u0), std::min(p.box.u1, q.box.u1), std::max(p.box.v0, q.box.v0),
-                    std::min(p.box.v1, q.box.v1)};
-  return area_of(common) > kMostOf * std::min(area_of(p.box), area_of(q.box));
+  const double least = or_of_other ? std::min(area_of(p.box), area_of(q.box)) : area_of(p.box);
+  return common_area(p.box, q.box) > kMostOf * least;
 }
 
-std::uint64_t unseen_edges(const FacadeElement& e) {
-  return static_cast<std::uint64_t>(std::count_if(
-      e.edges.begin(), e.edges.end(), [](const FacadeEdge& edge) { return edge.status != DrawnStatus::seen; }));
+bool is_possible(const FacadeElement& e) {
+  return e.kind == "possible opening";
 }
 
-std::vector<DrawnOpening> drawn_openings(std::span<const FoundFacade> found) {
+// The openings of all facades, or the possible ones.
+std::vector<DrawnOpening> drawn_openings(std::span<const FoundFacade> found, bool possible) {
   std::vector<DrawnOpening> openings;
   for (std::size_t f = 0; f < found.size(); ++f)
     for (std::size_t i = 0; i < found[f].facade.elements.size(); ++i) {
       const FacadeElement& e = found[f].facade.elements[i];
-      if (!e.opening || e.ring.empty() || e.region != FacadeRegion::element) continue;
-      DrawnOpening& o = openings.emplace_back(DrawnOpening{f, i, unseen_edges(e), 0});
+      const bool opening = e.opening && e.region == FacadeRegion::element;
+      if (e.ring.empty() || !(possible ? is_possible(e) : opening)) continue;
+      DrawnOpening& o =
+          openings.emplace_back(DrawnOpening{f, i, corners_of(found[f].facade, e.ring), unseen_sides(e), 0});
       for (const FacadeEdge& edge : e.edges) o.error += edge.error_m / static_cast<double>(e.edges.size());
     }
   return openings;
 }
 
+// Families of one member are none.
+void dissolve_families_of_one(std::vector<FacadeElement>& elements) {
+  std::map<std::uint32_t, std::size_t> members;
+  for (const FacadeElement& e : elements) ++members[e.family];
+  for (FacadeElement& e : elements)
+    if (members[e.family] == 1) e.family = 0;
+}
+
+void remove_dropped(const std::vector<bool>& dropped, std::vector<FacadeElement>& elements) {
+  if (std::find(dropped.begin(), dropped.end(), true) == dropped.end()) return;
+  std::vector<FacadeElement> left;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    if (!dropped[i]) left.push_back(std::move(elements[i]));
+  elements = std::move(left);
+  dissolve_families_of_one(elements);
+  for (std::uint32_t k = 0; k < elements.size(); ++k) elements[k].id = k + 1;
+}
+
 }  // namespace
 
 void drop_same_openings(std::span<FoundFacade> found, double metres_per_unit) {
-  std::vector<DrawnOpening> openings = drawn_openings(found);
+  std::vector<DrawnOpening> openings = drawn_openings(found, false), kept;
   std::sort(openings.begin(), openings.end(),
             [](const DrawnOpening& a, const DrawnOpening& b) { return a.better_than(b); });
-  std::vector<DrawnOpening> kept;
   std::vector<std::vector<bool>> dropped(found.size());
   for (std::size_t f = 0; f < found.size(); ++f) dropped[f].assign(found[f].facade.elements.size(), false);
-  for (const DrawnOpening& o : openings) {
+  const auto known = [&](const DrawnOpening& o, bool or_of_other) {
     const Facade& own = found[o.facade].facade;
-    const bool known = std::any_of(kept.begin(), kept.end(), [&](const DrawnOpening& k) {
-      const Facade& other = found[k.facade].facade;
-      return k.facade != o.facade &&
-             are_same(own, own.elements[o.element], other, other.elements[k.element], metres_per_unit);
+    return std::any_of(kept.begin(), kept.end(), [&](const DrawnOpening& k) {
+      return k.facade != o.facade && face_alike(own, found[k.facade].facade) &&
+             is_same(own, o, k, metres_per_unit, or_of_other);
     });
-    if (!known) kept.push_back(o);
-    dropped[o.facade][o.element] = known;
-    if (known) found[o.facade].occluded_edges -= std::min(o.unseen, found[o.facade].occluded_edges);
+  };
+  for (const DrawnOpening& o : openings) {
+    if (!known(o, true)) {
+      kept.push_back(o);
+      continue;
+    }
+    dropped[o.facade][o.element] = true;
+    found[o.facade].occluded_edges -= o.unseen;
   }
-  for (std::size_t f = 0; f < found.size(); ++f) {
-    std::vector<FacadeElement>& elements = found[f].facade.elements;
-    std::size_t i = 0;
-    std::vector<FacadeElement> left;
-    for (FacadeElement& e : elements)
-      if (!dropped[f][i++]) left.push_back(std::move(e));
-    elements = std::move(left);
-    for (std::uint32_t k = 0; k < elements.size(); ++k) elements[k].id = k + 1;
-  }
+  for (const DrawnOpening& o : drawn_openings(found, true)) dropped[o.facade][o.element] = known(o, false);
+  for (std::size_t f = 0; f < found.size(); ++f) remove_dropped(dropped[f], found[f].facade.elements);
 }
 
 }  // namespace ilot

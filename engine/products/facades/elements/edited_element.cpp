@@ -45,8 +45,7 @@ Box2 box_in(const Facade& facade, const FacadeElement& element, double metres_pe
 }
 
 double shared_area(const Box2& a, const Box2& b) {
-  const double common = std::max(0.0, std::min(a.u1, b.u1) - std::max(a.u0, b.u0)) *
-                        std::max(0.0, std::min(a.v1, b.v1) - std::max(a.v0, b.v0));
+  const double common = common_area(a, b);
   const double all = a.width() * a.height() + b.width() * b.height() - common;
   return all > 0 ? common / all : 0;
 }

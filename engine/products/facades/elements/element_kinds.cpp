@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace ilot {
 namespace {
@@ -20,6 +22,9 @@ constexpr double kLongerThanHigh = 2.5;  // width over height of sills and linte
 constexpr double kBandShare = 0.4;  // share of the width of the wall that a band covers, at least
 // Choice: handrails are 4 to 5 cm thick; a parapet of thin metal looks like a rail too.
 constexpr double kRail = 0.05;  // metres; a thinner element is a rail
+
+// Derived: more than half, so that two openings of one size of which one gives way are those that lie nearest.
+constexpr double kWithin = 0.5;  // share of an opening that lies in another one
 
 bool is_door(const FoundRectangle& r, const ElementKindParams& params) {
   const Box2 box = r.box();
@@ -95,6 +100,30 @@ bool is_rail(const ElementCandidate& t) {
   const Box2 box = t.shape.box();
   const bool unnamed = t.kind == ElementKind::bulge || t.kind == ElementKind::balcony || t.kind == ElementKind::bracket;
   return unnamed && std::min(box.width(), box.height()) < kRail;
+}
+
+void drop_openings_within(std::vector<ElementCandidate>& candidates) {
+  std::vector<std::size_t> openings;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (is_opening(candidates[i].kind)) openings.push_back(i);
+  const auto area = [&](std::size_t i) { return area_of(candidates[i].shape.box()); };
+  std::sort(openings.begin(), openings.end(), [&](std::size_t a, std::size_t b) {
+    if (candidates[a].possible != candidates[b].possible) return candidates[b].possible;
+    return area(a) != area(b) ? area(a) > area(b) : a < b;
+  });
+  std::vector<bool> dropped(candidates.size(), false);
+  std::vector<std::size_t> kept;
+  for (const std::size_t i : openings) {
+    const Box2 own = candidates[i].shape.box();
+    dropped[i] = std::any_of(kept.begin(), kept.end(), [&](std::size_t k) {
+      return common_area(own, candidates[k].shape.box()) > kWithin * area_of(own);
+    });
+    if (!dropped[i]) kept.push_back(i);
+  }
+  std::vector<ElementCandidate> left;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (!dropped[i]) left.push_back(std::move(candidates[i]));
+  candidates = std::move(left);
 }
 
 }  // namespace ilot

@@ -34,6 +34,11 @@ ElementKind kind_of_relief(const FoundRectangle& r, const std::vector<FoundRecta
 // below, a hood above. O(candidates^2).
 void keep_nearest_sills(std::vector<ElementCandidate>& candidates);
 
+// Drops the openings of which most lies in a larger one that stays, or in an earlier one of the same size that stays:
+// rays went through the wall at one place. An opening that is only possible gives way to any other. The order of what
+// stays does not change. O(n^2) in the openings.
+void drop_openings_within(std::vector<ElementCandidate>& candidates);
+
 // What stands out above the wall is eaves. A balcony is long, lower than a storey, and deep enough to stand on.
 ElementKind kind_of_large(const FoundRectangle& r, double wall_height, const ElementKindParams& params = {});
 

@@ -184,6 +184,15 @@ FacadeElement unseen_of(const FacadeSite& site, const UnseenArea& area) {
   return e;
 }
 
+UnseenArea possible_area(const ElementCandidate& opening) {
+  const Box2 box = opening.shape.box();
+  UnseenArea area;
+  area.ring = {{box.u0, box.v0}, {box.u1, box.v0}, {box.u1, box.v1}, {box.u0, box.v1}};
+  area.straight = area.hidden = true;
+  for (const LocatedEdge& edge : opening.shape.sides) area.error = std::max(area.error, edge.error);
+  return area;
+}
+
 FacadeElement irregularity_of(const FacadeSite& site, const Irregularity& i) {
   FacadeElement e;
   e.kind = "bulge";
@@ -202,6 +211,17 @@ FacadeElement irregularity_of(const FacadeSite& site, const Irregularity& i) {
   for (const Vec3& p : i.vertices) e.body.vertices.push_back(place_of(site, p.x, p.y, p.z));
   for (const auto& t : i.triangles) e.body.faces.push_back({t[0], t[1], t[2]});
   return e;
+}
+
+std::uint64_t unseen_sides(const FacadeElement& e) {
+  const auto unseen = [](const FacadeEdge& edge) {
+    return edge.status == DrawnStatus::completed || edge.status == DrawnStatus::occluded;
+  };
+  const bool headed = e.edges.size() > kSides.size() && (e.opening || !e.arcs.empty());
+  if (!headed) return static_cast<std::uint64_t>(std::count_if(e.edges.begin(), e.edges.end(), unseen));
+  // The edges of a head lie between the right side and the left side, which is the last one.
+  return static_cast<std::uint64_t>(unseen(e.edges[0])) + unseen(e.edges[1]) + unseen(e.edges[2]) +
+         unseen(e.edges.back());
 }
 
 void add_registration(double error, std::span<FacadeElement> elements) {

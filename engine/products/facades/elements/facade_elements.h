@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Turns what was found on a facade into elements of its plan, in the CRS.
 #pragma once
+#include <cstdint>
 #include <span>
 
 #include "engine/model/facade.h"
@@ -21,8 +22,14 @@ FacadeElement wall_of(const RaySamples& samples, const WallOutline& outline);
 // Gives a part of the wall that no ray reached. A rectangle is a possible opening.
 FacadeElement unseen_of(const FacadeSite& site, const UnseenArea& area);
 
+// The part of the wall that an opening of which too little was seen is drawn as.
+UnseenArea possible_area(const ElementCandidate& opening);
+
 // Gives a bulge or a hollow: its outline in the wall and its surface as a mesh [Lorraine thesis, 4.2.2].
 FacadeElement irregularity_of(const FacadeSite& site, const Irregularity& irregularity);
+
+// The number of sides of an element that are drawn although they were not seen. An opening has four, whatever its form.
+std::uint64_t unseen_sides(const FacadeElement& element);
 
 // Adds to the errors of edges what the place of their stations is uncertain by (registration_error), as the root of the
 // sum of both squares. Sizes do not change with it.

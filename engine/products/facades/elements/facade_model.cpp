@@ -28,13 +28,10 @@ constexpr double kSameElement = 0.8;  // share of an area that two findings of o
 constexpr double kStraight = 0.02;  // metres between the front end and the back end of a side that does not lean
 // Derived: more than half, so that one relief gives its sides to one element only.
 constexpr double kMostOf = 0.5;  // share of an element: a smaller relief is only a part of it and gives it no sides
+// Derived: more than half, so that of two areas that do not overlap only one is that of an element.
+constexpr double kSharedOpening = 0.5;  // share of an area, or of the smaller of two, that both have in common
 // Derived: more than half, so that a patch belongs to one irregularity only.
 constexpr double kSamePatch = 0.5;  // share of a patch that is within an irregularity
-
-double common_area(const Box2& a, const Box2& b) {
-  return std::max(0.0, std::min(a.u1, b.u1) - std::max(a.u0, b.u0)) *
-         std::max(0.0, std::min(a.v1, b.v1) - std::max(a.v0, b.v0));
-}
 
 // The boxes of the candidates that are no part of an irregularity. Flat patches of an irregularity are no elements, and
 // an irregularity contains no other element.
@@ -59,44 +56,15 @@ void drop_known_areas(std::vector<UnseenArea>& unseen, const std::vector<Element
   std::erase_if(unseen, [&](const UnseenArea& area) {
     const Box2 box = box_of(area.ring);
     return std::any_of(candidates.begin(), candidates.end(), [&](const ElementCandidate& t) {
-      return common_area(box, t.shape.box()) > kMostOf * box.width() * box.height();
+      return common_area(box, t.shape.box()) > kSharedOpening * area_of(box);
     });
   });
 }
 
-double area_of(const Box2& box) {
-  return std::max(0.0, box.width()) * std::max(0.0, box.height());
-}
-
-// Drops the openings of which most lies in a larger one, or in another of the same size: rays went through the wall at
-// one place. An opening that is only possible gives way to any other.
-void drop_openings_within(std::vector<ElementCandidate>& candidates) {
-  const std::vector<ElementCandidate> all = candidates;
-  const auto gives_way = [&](const ElementCandidate& a, std::size_t i, const ElementCandidate& b, std::size_t k) {
-    const Box2 own = a.shape.box(), other = b.shape.box();
-    if (common_area(own, other) <= kMostOf * area_of(own)) return false;
-    if (a.possible != b.possible) return a.possible;
-    return area_of(own) != area_of(other) ? area_of(own) < area_of(other) : i > k;
-  };
-  candidates.clear();
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    bool within = false;
-    for (std::size_t k = 0; k < all.size() && is_opening(all[i].kind); ++k)
-      within |= k != i && is_opening(all[k].kind) && gives_way(all[i], i, all[k], k);
-    if (!within) candidates.push_back(all[i]);
-  }
-}
-
 // Openings of which too little was seen are only possible ones.
 void move_possible(std::vector<ElementCandidate>& candidates, std::vector<UnseenArea>& unseen) {
-  for (const ElementCandidate& t : candidates) {
-    const Box2 box = t.shape.box();
-    if (!t.possible || box.width() <= 0 || box.height() <= 0) continue;
-    UnseenArea& area = unseen.emplace_back();
-    area.ring = {{box.u0, box.v0}, {box.u1, box.v0}, {box.u1, box.v1}, {box.u0, box.v1}};
-    area.straight = area.hidden = true;
-    for (const LocatedEdge& edge : t.shape.sides) area.error = std::max(area.error, edge.error);
-  }
+  for (const ElementCandidate& t : candidates)
+    if (t.possible && area_of(t.shape.box()) > 0) unseen.push_back(possible_area(t));
   std::erase_if(candidates, [](const ElementCandidate& t) { return t.possible; });
 }
 
@@ -288,7 +256,7 @@ bool shares_area(const Box2& box, const std::vector<FoundRectangle>& openings) {
   const double own = box.width() * box.height();
   return std::any_of(openings.begin(), openings.end(), [&](const FoundRectangle& o) {
     const Box2 other = o.box();
-    return common_area(box, other) > kMostOf * std::min(own, other.width() * other.height());
+    return common_area(box, other) > kSharedOpening * std::min(own, other.width() * other.height());
   });
 }
 
@@ -319,10 +287,10 @@ FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, F
   if (params.regularise) {
     regularise_elements(candidates, params.regular);
     complete_elements(candidates, params.regular);
-    drop_openings_within(candidates);
-    move_possible(candidates, unseen);
-    group_elements(candidates, params.regular);
   }
+  drop_openings_within(candidates);
+  move_possible(candidates, unseen);
+  group_elements(candidates, params.regular);
   find_ends(candidates, samples, params.concurrency);
   std::sort(candidates.begin(), candidates.end(), comes_before);
 
@@ -343,11 +311,8 @@ FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, F
   f.elements.push_back(wall_of(samples, outline));
   f.width_m = f.elements[0].width_m;
   f.height_m = f.elements[0].height_m;
-  for (const FacadeEdge& edge : f.elements[0].edges) found.occluded_edges += edge.status != DrawnStatus::seen;
-  for (const ElementCandidate& candidate : candidates) {
-    f.elements.push_back(element_of(site, candidate));
-    for (const LocatedEdge& edge : candidate.shape.sides) found.occluded_edges += edge.status != DrawnStatus::seen;
-  }
+  for (const ElementCandidate& candidate : candidates) f.elements.push_back(element_of(site, candidate));
+  for (const FacadeElement& e : f.elements) found.occluded_edges += unseen_sides(e);
   for (const Irregularity& i : irregular) f.elements.push_back(irregularity_of(site, i));
   for (const UnseenArea& area : unseen) f.elements.push_back(unseen_of(site, area));
   for (std::uint32_t i = 0; i < f.elements.size(); ++i) f.elements[i].id = i + 1;

@@ -18,9 +18,9 @@ constexpr double kHighestShadow = 0.6;  // metres above its top that a sill hide
 // Choice: the value of element_kinds.cpp, where sills are found.
 constexpr double kUnder = 0.7;  // share of the width of an opening that its sill covers
 
-// Derived: drawn as it was seen, it has half in common with what it is at worst. Drawn halfway between the least and
-// the most that it may be, it has that from the square of this share on.
-constexpr double kMostSeen = 0.5;  // share of the most that an opening may be that was seen to be open
+// Derived: an opening that was found has half in common with the true one. Of two rectangles, one within the other, the
+// smaller one is the share of the larger one that they have in common.
+constexpr double kMostSeen = 0.5;  // share of the larger of two openings, one within the other, that the smaller one is
 
 using Members = std::vector<ElementCandidate*>;
 
@@ -296,9 +296,10 @@ void place_hidden(ElementCandidate& t, const std::vector<Side>& hidden) {
   }
   t.reason = "sides end where a laser shadow begins";
   const double width = width_of(t), height = height_of(t);
-  const double share = width * height / ((most_width + width) * (most_height + height));
-  if (!ends || share >= kMostSeen) return;
-  t.possible = share < kMostSeen * kMostSeen;
+  const double least = width * height, most = (width + most_width) * (height + most_height);
+  if (!ends || !(most > 0) || least >= kMostSeen * most) return;
+  const double middle = (width + most_width / 2) * (height + most_height / 2);
+  t.possible = least < kMostSeen * middle || middle < kMostSeen * most;
   if (t.possible) return;
   for (const Side side : hidden) {
     LocatedEdge& edge = t.shape.side(side);

@@ -56,8 +56,10 @@ void regularise_elements(std::vector<ElementCandidate>& candidates, const Regula
 // hid them, and their error reaches to both ends of it.
 //
 // Edges that stay occluded are where the opening was last seen, if at least half of what it may be at most was seen to
-// be open. Otherwise they are in the middle of their gaps. If even so half of the opening would not be sure, less than
-// a quarter of it was seen, and it is only a `possible` one. Nothing is decided by a gap of which no far end is known.
+// be open. Otherwise they are in the middle of their gaps. If even so half would not be sure - the opening that is
+// drawn has less than half in common with the least or with the most that it may be - it is only a `possible` one.
+// Where sides of one direction are hidden, that is so if less than a third was seen. Nothing is decided by a gap of
+// which no far end is known.
 void complete_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params = {});
 
 }  // namespace ilot

@@ -124,11 +124,6 @@ FoundRectangle window_of_pair(const StandingLeaf& a, const StandingLeaf& b) {
   return window;
 }
 
-double area_shared(const Box2& a, const Box2& b) {
-  return std::max(0.0, std::min(a.u1, b.u1) - std::max(a.u0, b.u0)) *
-         std::max(0.0, std::min(a.v1, b.v1) - std::max(a.v0, b.v0));
-}
-
 bool are_pair(const RaySamples& samples, const StandingLeaf& a, const StandingLeaf& b, double alike) {
   const double apart = b.hinge.u - a.hinge.u, longer = std::max(a.length(), b.length());
   if (apart < kLeastPair * longer || apart > kMostPair * longer ||
@@ -207,7 +202,7 @@ HalfOpen windows_of_leaves(const RaySamples& samples, const std::vector<Standing
       const Box2 box = window.box();
       const auto inside = [&](const FoundRectangle& o) {
         const Box2 own = o.box();
-        return 2 * area_shared(own, box) > own.width() * own.height();
+        return 2 * common_area(own, box) > own.width() * own.height();
       };
       for (const FoundRectangle& o : openings)
         if (inside(o)) {

@@ -2,6 +2,7 @@
 #include "engine/products/facades/openings/hidden_side.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -11,10 +12,15 @@
 namespace ilot {
 namespace {
 
-// The cells from the first one within a side to its last one, of `most` cells.
+// Derived: far more than a rounded number is wrong by, far less than a cell.
+constexpr double kOnBorder = 1e-9;  // share of a cell
+
+// The cells from the first one within a side to its last one, of `most` cells. A side that ends on the border of a cell
+// does not lie in this cell.
 std::pair<std::int64_t, std::int64_t> cells_between(double from, double to, double cell, std::int64_t most) {
-  const auto at = [&](double v) { return std::clamp<std::int64_t>(static_cast<std::int64_t>(v / cell), 0, most - 1); };
-  return {at(from), at(to)};
+  const auto of = [&](double at) { return std::clamp<std::int64_t>(static_cast<std::int64_t>(at), 0, most - 1); };
+  const std::int64_t first = of(std::floor(from / cell + kOnBorder));
+  return {first, std::max(first, of(std::ceil(to / cell - kOnBorder) - 1))};
 }
 
 }  // namespace
@@ -26,7 +32,6 @@ double wall_beyond(const WallCells& cells, const Box2& box, Side side) {
   const auto [from, to] = u ? cells_between(box.v0, box.v1, cells.cell, cells.rows)
                             : cells_between(box.u0, box.u1, cells.cell, cells.columns);
   const std::int64_t first = cells_between(at, at, cells.cell, lines).first;
-  if (from > to) return 0;
   std::vector<std::int64_t> free;
   for (std::int64_t i = from; i <= to; ++i) {
     std::int64_t k = first;

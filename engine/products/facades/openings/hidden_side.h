@@ -7,7 +7,8 @@
 namespace ilot {
 
 // Metres beyond a side of a box until the wall is seen on half of the lines across the side; lines on which no wall is
-// seen end with the cells. An opening with this side does not go on beyond. O(cells beyond).
+// seen end with the cells. An opening with this side does not go on beyond. Only solid cells end the search: relief
+// before the wall, shallow places and other openings do not. O(cells beyond).
 double wall_beyond(const WallCells& cells, const Box2& box, Side side);
 
 }  // namespace ilot

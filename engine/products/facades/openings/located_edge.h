@@ -35,8 +35,8 @@ struct LocatedEdge {
   double rms = 0;    // root mean square distance of these points to the edge
   double moved = 0;  // distance by which regularisation moved it
   double inner = 0;  // for an edge that is not seen: the last place that is known to be inside
-  double beyond =
-      0;  // for an edge of which nothing was seen: metres from `inner` to where the wall is seen; 0: not known
+  // Of an edge of which nothing was seen: metres from `inner` to where the wall is seen; 0: not known.
+  double beyond = 0;
   bool by_face = false;  // found from points on the side face itself: the reveal, the side of a sill
 };
 

@@ -44,14 +44,6 @@ constexpr double kPieceShare = 0.6;  // Choice: more than half, with the errors 
 
 using enum WallCells::What;
 
-double area_of_box(const Box2& b) {
-  return std::max(0.0, b.width()) * std::max(0.0, b.height());
-}
-
-double shared_area(const Box2& a, const Box2& b) {
-  return area_of_box({std::max(a.u0, b.u0), std::min(a.u1, b.u1), std::max(a.v0, b.v0), std::min(a.v1, b.v1)});
-}
-
 double off_form(const TrendSurface& form, const Ray& ray) {
   return static_cast<double>(ray.at.w) - form.at(ray.at.u, ray.at.v);
 }
@@ -105,7 +97,7 @@ std::optional<Step> step_at_pane(const RaySamples& samples, const TrendSurface& 
   const Box2 inner = box.grown(-kRingFrom), from = box.grown(kRingFrom), to = box.grown(kRingTo);
   std::vector<Box2> others;
   for (const Box2& p : panes)
-    if (shared_area(p, to) > 0) others.push_back(p);
+    if (common_area(p, to) > 0) others.push_back(p);
   const auto in_pane = [&](Place2 p) {
     return std::any_of(others.begin(), others.end(), [&](const Box2& b) { return b.contains(p); });
   };
@@ -289,11 +281,9 @@ std::vector<FoundRectangle> find_shallow_openings(const RaySamples& samples, con
   for (double step = means.step; step < depth_through(samples.site(), params); step *= kNextStep) {
     const std::vector<Box2> panes = boxes_behind(means, cells, step, params);
     for (const Box2& box : panes) {
-      const double area = area_of_box(box);
-      const auto is_same = [&](const Box2& b) {
-        return shared_area(b, box) > kSameBox * std::max(area, area_of_box(b));
-      };
-      const auto is_in = [&](const FoundRectangle& o) { return shared_area(o.box(), box) > kPieceShare * area; };
+      const double area = area_of(box);
+      const auto is_same = [&](const Box2& b) { return common_area(b, box) > kSameBox * std::max(area, area_of(b)); };
+      const auto is_in = [&](const FoundRectangle& o) { return common_area(o.box(), box) > kPieceShare * area; };
       if (std::any_of(seen.begin(), seen.end(), is_same) || std::any_of(found.begin(), found.end(), is_in)) continue;
       seen.push_back(box);
       if (const std::optional<FoundRectangle> opening = shallow_opening(samples, form, box, step, panes, cells, params))
@@ -324,11 +314,11 @@ void add_shallow_openings(std::vector<FoundRectangle>&& shallow, std::vector<Fou
   for (FoundRectangle& s : shallow) {
     const Box2 own = s.box();
     const bool known = std::any_of(found.begin(), found.end(), [&](const FoundRectangle& o) {
-      return shared_area(own, o.box()) > kPieceShare * area_of_box(own) && !is_part(o, s);
+      return common_area(own, o.box()) > kPieceShare * area_of(own) && !is_part(o, s);
     });
     if (known) continue;
-    std::erase_if(
-        found, [&](const FoundRectangle& o) { return shared_area(own, o.box()) > kPieceShare * area_of_box(o.box()); });
+    std::erase_if(found,
+                  [&](const FoundRectangle& o) { return common_area(own, o.box()) > kPieceShare * area_of(o.box()); });
     found.push_back(std::move(s));
   }
 }

@@ -24,6 +24,13 @@ struct Box2 {
   Box2 grown(double by) const { return {u0 - by, u1 + by, v0 - by, v1 + by}; }
 };
 
+inline double area_of(const Box2& b) {
+  return std::max(0.0, b.width()) * std::max(0.0, b.height());
+}
+inline double common_area(const Box2& a, const Box2& b) {
+  return area_of({std::max(a.u0, b.u0), std::min(a.u1, b.u1), std::max(a.v0, b.v0), std::min(a.v1, b.v1)});
+}
+
 // The least box around the vertices of a ring, which must not be empty.
 inline Box2 box_of(std::span<const Place2> ring) {
   Box2 box{ring[0].u, ring[0].u, ring[0].v, ring[0].v};

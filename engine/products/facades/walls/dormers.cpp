@@ -65,9 +65,8 @@ struct DormerOpening {
   FoundRectangle shape;
 };
 
-// Rows, columns and families are formed of all fronts together, in the axes of the facade. Their numbers follow those
-// of the facade itself.
-std::vector<ElementCandidate> grouped(const std::vector<DormerOpening>& openings, const DormerParams& params) {
+// The openings of all fronts together, in the axes of the facade.
+std::vector<ElementCandidate> completed(const std::vector<DormerOpening>& openings, const DormerParams& params) {
   std::vector<ElementCandidate> candidates;
   for (const DormerOpening& o : openings) {
     candidates.push_back({o.shape, ElementKind::window, 0, 0, 0, {}});
@@ -77,22 +76,35 @@ std::vector<ElementCandidate> grouped(const std::vector<DormerOpening>& openings
   if (!params.regularise) return candidates;
   regularise_elements(candidates, params.regular);
   complete_elements(candidates, params.regular);
-  group_elements(candidates, params.regular);
   return candidates;
 }
 
+// Rows, columns and families are formed of all fronts together. Their numbers follow those of the facade itself. What
+// is only possible comes last and belongs to none.
 std::vector<FacadeElement> elements_of(const std::vector<DormerOpening>& openings, const Facade& facade,
                                        const DormerParams& params) {
   std::uint32_t rows = 0, families = 0;
   for (const FacadeElement& e : facade.elements) rows = std::max(rows, e.row), families = std::max(families, e.family);
-  std::vector<ElementCandidate> candidates = grouped(openings, params);
-  std::vector<FacadeElement> elements;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    shift(candidates[i].shape, -openings[i].at.x, -openings[i].at.y);
-    candidates[i].row += rows;
-    if (candidates[i].family != 0) candidates[i].family += families;
-    elements.push_back(element_of(*openings[i].front, candidates[i]));
+  std::vector<ElementCandidate> all = completed(openings, params), sure;
+  std::vector<const DormerOpening*> of_sure;
+  std::vector<FacadeElement> elements, possible;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const DormerOpening& o = openings[i];
+    if (!all[i].possible) {
+      sure.push_back(std::move(all[i])), of_sure.push_back(&o);
+    } else if (area_of(all[i].shape.box()) > 0) {
+      shift(all[i].shape, -o.at.x, -o.at.y);
+      possible.push_back(unseen_of(*o.front, possible_area(all[i])));
+    }
   }
+  group_elements(sure, params.regular);
+  for (std::size_t i = 0; i < sure.size(); ++i) {
+    shift(sure[i].shape, -of_sure[i]->at.x, -of_sure[i]->at.y);
+    sure[i].row += rows;
+    if (sure[i].family != 0) sure[i].family += families;
+    elements.push_back(element_of(*of_sure[i]->front, sure[i]));
+  }
+  for (FacadeElement& e : possible) elements.push_back(std::move(e));
   return elements;
 }
 
@@ -119,7 +131,7 @@ std::uint64_t add_dormers(const std::vector<DormerFront>& fronts, Facade& facade
   for (FacadeElement& e : elements_of(openings, facade, params)) added.push_back(std::move(e));
   std::uint64_t hidden = 0;
   for (FacadeElement& e : added) {
-    for (const FacadeEdge& edge : e.edges) hidden += edge.status != DrawnStatus::seen;
+    if (e.status != DrawnStatus::occluded || e.opening) hidden += unseen_sides(e);
     e.id = static_cast<std::uint32_t>(facade.elements.size() + 1);
     facade.elements.push_back(std::move(e));
   }

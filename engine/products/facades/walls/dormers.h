@@ -28,8 +28,9 @@ DormerFront find_dormer(const RaySamples& samples, const DormerParams& params = 
 // Draws the dormers where they stand. For each front with an opening, this adds its outline (kind `dormer`), as deep as
 // it stands behind the wall of the facade. It also adds its openings on the plane of the front, as deep as they go
 // behind it. The openings of all fronts form rows and families together. The foot of a front is `occluded` where
-// nothing was seen below it, because the eaves hide it. The elements are appended with ids. Returns the number of edges
-// that are not seen.
+// nothing was seen below it, because the eaves hide it. Openings of which too little was seen are only possible ones,
+// as on the wall. The elements are appended with ids. Returns the number of edges that are not seen, without those of
+// possible openings.
 std::uint64_t add_dormers(const std::vector<DormerFront>& fronts, Facade& facade, const DormerParams& params = {});
 
 }  // namespace ilot

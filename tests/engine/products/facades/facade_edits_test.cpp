@@ -224,6 +224,22 @@ TEST(FacadeEdits, ContradictionsNameBothLines) {
   EXPECT_EQ(fault_of({edit(EditAction::deleted, one), edit(EditAction::deleted, one)}), "");
 }
 
+// Drawn as two openings once, one on each sheet of a wall, and found as one now: each has half in common with it, but
+// not with the other.
+TEST(FacadeEdits, TwoOpeningsThatAreOneNowContradictNothing) {
+  const Box2 low{1, 2, 3, 4.1}, high{1, 2, 3.9, 5};
+  for (const std::vector<Edit>& edits :
+       {std::vector<Edit>{edit(EditAction::deleted, low), moved(high, {1.3, 2.3, 3.9, 5})},
+        std::vector<Edit>{renamed(low, "window", "door"), renamed(high, "window", "shop")},
+        std::vector<Edit>{moved(low, {1.3, 2.3, 3, 4.1}), edit(EditAction::deleted, high)}}) {
+    EXPECT_EQ(fault_of(edits), "");
+    const Edited done = make(edits);
+    EXPECT_EQ(done.results[0].outcome, EditOutcome::made);
+    EXPECT_EQ(done.results[1].outcome, EditOutcome::without_partner);
+    EXPECT_EQ(done.results[1].reason, "it was one opening with that of " + edits[0].where);
+  }
+}
+
 TEST(FacadeEdits, ASideIsAPlaceOnTheStreet) {
   WallGroup group;
   const Facade f = wall();

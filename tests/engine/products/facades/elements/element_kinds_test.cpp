@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace ilot {
 namespace {
 
@@ -107,6 +109,47 @@ TEST(ElementKinds, RailsAreThinAndHaveNoOtherName) {
   EXPECT_TRUE(is_rail(rail)) << "an upright bar";
   rail.shape = rectangle_of({2, 2.06, 1, 4}, 0.1);
   EXPECT_FALSE(is_rail(rail));
+}
+
+ElementCandidate opening_between(double u0, double u1, double v0, double v1) {
+  ElementCandidate t;
+  t.shape.side(Side::left).at = u0, t.shape.side(Side::right).at = u1;
+  t.shape.side(Side::bottom).at = v0, t.shape.side(Side::top).at = v1;
+  return t;
+}
+
+std::vector<double> lefts_of_kept(std::vector<ElementCandidate> candidates) {
+  drop_openings_within(candidates);
+  std::vector<double> lefts;
+  for (const ElementCandidate& t : candidates) lefts.push_back(t.shape.at(Side::left));
+  return lefts;
+}
+
+// The first lies mostly in the second, the second mostly in the third, but the first not in the third.
+TEST(OpeningsWithin, WhatLiesInADroppedOneStays) {
+  const ElementCandidate a = opening_between(0, 1, 0, 1), b = opening_between(0.3, 1.5, 0, 1),
+                         c = opening_between(0.7, 2.5, 0, 1);
+  EXPECT_EQ(lefts_of_kept({a, b, c}), (std::vector<double>{0, 0.7}));
+  EXPECT_EQ(lefts_of_kept({c, b, a}), (std::vector<double>{0.7, 0}));
+}
+
+TEST(OpeningsWithin, OfTwoOfOneSizeTheEarlierOneStays) {
+  const ElementCandidate a = opening_between(0, 1, 0, 1), b = opening_between(0.25, 1.25, 0, 1);
+  EXPECT_EQ(lefts_of_kept({a, b}), (std::vector<double>{0}));
+  EXPECT_EQ(lefts_of_kept({b, a}), (std::vector<double>{0.25}));
+}
+
+TEST(OpeningsWithin, APossibleOneGivesWayToASmallerOne) {
+  ElementCandidate possible = opening_between(0, 2, 0, 1);
+  possible.possible = true;
+  EXPECT_EQ(lefts_of_kept({possible, opening_between(0.5, 1.75, 0, 1)}), (std::vector<double>{0.5}));
+  EXPECT_EQ(lefts_of_kept({possible, opening_between(1.5, 2.25, 0, 1)}), (std::vector<double>{0, 1.5}));
+}
+
+TEST(OpeningsWithin, OthersThanOpeningsStay) {
+  ElementCandidate sill = opening_between(0.2, 0.8, 0, 0.1);
+  sill.kind = ElementKind::sill;
+  EXPECT_EQ(lefts_of_kept({opening_between(0, 1, 0, 1), sill}).size(), 2u);
 }
 
 }  // namespace

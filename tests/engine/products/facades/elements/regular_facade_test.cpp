@@ -189,11 +189,37 @@ TEST(RegularFacade, AHiddenSideIsInTheMiddleOfItsGapIfLessWasSeen) {
   EXPECT_EQ(one[0].shape.side(Side::bottom).status, DrawnStatus::occluded);
 }
 
-TEST(RegularFacade, AnOpeningOfWhichLessThanAQuarterWasSeenIsAPossibleOne) {
-  std::vector<ElementCandidate> one{hidden_below(3.1), hidden_below(0)};
+// Drawn in the middle of a gap of 2.5 m, it would be 2.25 m high: less than half in common with the 1 m that was seen.
+TEST(RegularFacade, AnOpeningOfWhichLessThanAThirdWasSeenIsAPossibleOne) {
+  std::vector<ElementCandidate> one{hidden_below(2.5), hidden_below(0), hidden_below(1.99)};
   complete_elements(one);
   EXPECT_TRUE(one[0].possible);
   EXPECT_FALSE(one[1].possible);  // nothing is known of the end of its gap
+  EXPECT_FALSE(one[2].possible);
+}
+
+// 1 m by 1 m was seen of at most 1.7 m by 1.7 m (0.35): the middle has 0.55 in common with the least and 0.63 with the
+// most. Of at most 2 m by 2 m (0.25) the middle has 0.44 in common with the least.
+TEST(RegularFacade, GapsAcrossAndUpCountTogether) {
+  std::vector<ElementCandidate> one{hidden_below(0.7), hidden_below(1)};
+  for (ElementCandidate& t : one) {
+    LocatedEdge& right = t.shape.side(Side::right);
+    right = t.shape.side(Side::bottom);
+    right.at = right.inner = 3;
+  }
+  complete_elements(one);
+  EXPECT_FALSE(one[0].possible);
+  EXPECT_DOUBLE_EQ(one[0].shape.at(Side::bottom), 3.65);
+  EXPECT_DOUBLE_EQ(one[0].shape.at(Side::right), 3.35);
+  EXPECT_TRUE(one[1].possible);
+}
+
+TEST(RegularFacade, AnOpeningWithoutAreaStaysWhereItWasSeen) {
+  std::vector<ElementCandidate> one{hidden_below(2)};
+  one[0].shape.side(Side::right).at = one[0].shape.side(Side::right).inner = 2;
+  complete_elements(one);
+  EXPECT_FALSE(one[0].possible);
+  EXPECT_DOUBLE_EQ(one[0].shape.at(Side::bottom), 4);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ TEST(HiddenSide, TheWallBeginsWhereHalfOfTheLinesMeetIt) {
   WallCells cells = cells_of_wall();
   set(cells, 10, 20, 15, 25, WallCells::kThrough);
   set(cells, 10, 20, 8, 15, WallCells::kBlocked);
-  const Box2 box{1, 1.999, 1.5, 2.5};
+  const Box2 box{1, 2, 1.5, 2.5};
   EXPECT_NEAR(wall_beyond(cells, box, Side::bottom), 0.7, 1e-9);
   set(cells, 10, 13, 8, 15, WallCells::kSolid);
   EXPECT_NEAR(wall_beyond(cells, box, Side::bottom), 0.7, 1e-9);
@@ -34,11 +34,20 @@ TEST(HiddenSide, TheWallBeginsWhereHalfOfTheLinesMeetIt) {
   EXPECT_NEAR(wall_beyond(cells, box, Side::bottom), 0.1, 1e-9);  // at least a cell
 }
 
+// Of three lines, one meets the wall at once: the middle one goes on for 70 cm. A fourth line, beyond the box, meets
+// the wall at once too and does not count.
+TEST(HiddenSide, LinesBeyondTheBoxDoNotCount) {
+  WallCells cells = cells_of_wall();
+  set(cells, 3, 6, 8, 25, WallCells::kThrough);
+  set(cells, 3, 4, 8, 15, WallCells::kSolid);
+  EXPECT_NEAR(wall_beyond(cells, {0.3, 0.6, 1.5, 2.5}, Side::bottom), 0.7, 1e-9);
+}
+
 TEST(HiddenSide, WithoutAWallItEndsWithTheCells) {
   WallCells cells = cells_of_wall();
   set(cells, 10, 30, 10, 20, WallCells::kUnknown);
   EXPECT_NEAR(wall_beyond(cells, {1, 1.5, 1, 2}, Side::right), 1.5, 1e-9);
-  EXPECT_NEAR(wall_beyond(cells, {1.05, 1.5, 1, 1.999}, Side::left), 0.1, 1e-9);
+  EXPECT_NEAR(wall_beyond(cells, {1.05, 1.5, 1, 2}, Side::left), 0.1, 1e-9);
 }
 
 }  // namespace

@@ -62,6 +62,26 @@ TEST(Dormers, FrontsWithTheirWindowsOnTheirOwnPlane) {
   }
 }
 
+// The lower end of the window may be 3 m below, of a window of which a metre was seen.
+TEST(Dormers, AnOpeningOfWhichTooLittleWasSeenIsAPossibleOne) {
+  DormerFront front = dormer_at(2, {{2, -0.15, 0.3, 1.3, 0.4, 1.5}});
+  ASSERT_EQ(front.openings.size(), 1u);
+  Facade seen = bare_wall(), facade = bare_wall();
+  const std::uint64_t edges = add_dormers({front}, seen);
+  LocatedEdge& bottom = front.openings[0].side(Side::bottom);
+  bottom.inner = bottom.at, bottom.status = DrawnStatus::occluded, bottom.beyond = 3;
+  EXPECT_EQ(add_dormers({front}, facade), edges);
+  ASSERT_EQ(facade.elements.size(), 3u);
+  const FacadeElement& e = facade.elements[2];
+  EXPECT_EQ(e.kind, "possible opening");
+  EXPECT_FALSE(e.opening);
+  EXPECT_EQ(e.id, 3u);
+  EXPECT_EQ(e.row, 0u);
+  EXPECT_NEAR(e.ring[0].x, 2.3, 0.006);
+  EXPECT_NEAR(e.ring[0].y, kBehind, 1e-9);
+  EXPECT_NEAR(e.ring[0].z, kAbove + 0.4, 0.006);
+}
+
 TEST(Dormers, WithoutAnOpeningThereIsNone) {
   Facade facade = bare_wall();
   EXPECT_EQ(add_dormers({dormer_at(2, {})}, facade), 0u);
