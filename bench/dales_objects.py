@@ -83,14 +83,9 @@ def write_las(path, points):
 
 
 def trees_of(run):
+    """Returns the places of the trees."""
     with sqlite3.connect(run / "streets/trees.gpkg") as base:
-        table = base.execute("select table_name from gpkg_contents where data_type = 'features' order by 1").fetchall()
-        geometries = [row[0] for (name,) in table if name == "trees" for row in base.execute("select geom from trees")]
-    out = []
-    for geometry in geometries:
-        at = 8 + {0: 0, 1: 32, 2: 48, 3: 48, 4: 64}[geometry[3] >> 1 & 7]
-        out.append(struct.unpack_from("<2d", geometry, at + 5))
-    return out
+        return [struct.unpack_from("<2d", row[0], parked_cars.start_of(row[0]) + 5) for row in base.execute("select geom from trees")]
 
 
 def called(points, objects, trees):

@@ -44,9 +44,14 @@ def seen_cars():
         return [{k: v if k in ("tile", "seen") else float(v) for k, v in row.items()} for row in csv.DictReader(file)]
 
 
+def start_of(geometry):
+    """Returns where the geometry begins behind its header in a GeoPackage."""
+    return 8 + {0: 0, 1: 32, 2: 48, 3: 48, 4: 64}[geometry[3] >> 1 & 7]
+
+
 def middle_of(geometry):
-    """Returns the bounds of a rectangle in a GeoPackage."""
-    at = 8 + {0: 0, 1: 32, 2: 48, 3: 48, 4: 64}[geometry[3] >> 1 & 7]
+    """Returns the middle of a rectangle in a GeoPackage."""
+    at = start_of(geometry)
     kind, _, corners = struct.unpack_from("<3I", geometry, at + 1)
     size = 24 if kind > 1000 else 16
     places = [struct.unpack_from("<2d", geometry, at + 13 + size * i) for i in range(corners - 1)]

@@ -30,9 +30,8 @@ struct FacadeEditParams {
 // Moves, adds, deletes and renames elements, in the order of the edits; edits of sides are left out. An edit belongs to
 // the element of its kind that has most of its rectangle in common with it, where it was found or where an earlier edit
 // has put it. What was edited has the status by_hand, and so have the edges that moved: they state no error. The ids
-// are dense again. Throws a usage Error for two edits that contradict each other. Where two rectangles that are not of
-// one opening have one opening as partner and say different things of it, the later one is without a partner. O(edits x
-// elements).
+// are dense again. Throws a usage Error for two edits that contradict each other. Where two edits were drawn on two
+// openings that are one now and would change it differently, the later edit is without a partner. O(edits x elements).
 std::vector<EditResult> edit_facades(std::span<const Edit* const> edits, std::span<Facade* const> facades,
                                      const FacadeEditParams& params);
 
