@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where objects of streets are lost: how many of the true ones each step of the search could still give, over wild
 // streets. The steps are, from left to right:
-//   true        objects with points
-//   measure     of their points three stand above the ground, and half of all
-//   apart       each pixel belongs to the object that has most points in it, walls and crowns taken out as the truth
-//   has above       the same, walls, crowns and ground taken out as the run has candidate   a candidate of the tree has
-//   half of the points in common taken       the models of the library choose it
+//   true: objects with points;
+//   measure: three of their points or more stand above the ground, and half of all;
+//   apart: each pixel belongs to the object that has most points in it, walls and crowns taken out as the truth has
+//   them;
+//   above: the same, with walls, crowns and ground taken out as the run has them;
+//   union: a union of separated parts has half of the points in common;
+//   candidate: a candidate of the tree has;
+//   taken: the models of the library choose it.
 // Then, for objects that are lost: where most of their points went, or what became of their candidate.
 // Usage: study_street_stages STREET.laz...
 #include <fmt/format.h>

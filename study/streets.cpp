@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 
@@ -224,9 +225,11 @@ void evaluate_model(const std::vector<Street>& streets, std::size_t different, c
   print_trade(streets, by_street);
 }
 
-std::vector<TrainingSample> samples_of(const std::vector<Street>& streets, std::size_t different) {
+std::vector<TrainingSample> samples_of(std::span<const Street> streets, std::span<const Street> others,
+                                       std::size_t different) {
   std::vector<std::vector<TrainingSample>> lists;
-  for (const Street& street : streets) lists.push_back(street.samples);
+  for (const auto& kind : {streets, others})
+    for (const Street& street : kind) lists.push_back(street.samples);
   return pooled(lists, different, different >= kManyStreets);
 }
 
@@ -247,13 +250,11 @@ std::string recipe_of(const Arguments& a, std::size_t samples) {
 // The roles of `a.roles`, or those that are learnt from the streets, with --all-roles also from the others; the classes
 // are learnt from all.
 void write_model(const std::vector<Street>& streets, const std::vector<Street>& others, const Arguments& a) {
-  std::vector<Street> together = streets;
-  together.insert(together.end(), others.begin(), others.end());
-  const std::vector<TrainingSample> all = samples_of(together, a.clouds.size());
+  const std::vector<TrainingSample> all = samples_of(streets, others, a.clouds.size());
   ObjectModel model;
   std::string of_roles;
   if (a.roles.empty()) {
-    model = train_roles(a.all_roles ? all : samples_of(streets, a.clouds.size()));
+    model = train_roles(a.all_roles ? all : samples_of(streets, {}, a.clouds.size()));
   } else {
     model = read_model(a.roles);
     of_roles = "roles of " + a.roles.filename().string() + ", which came from:\n" + model.recipe;
@@ -273,7 +274,10 @@ Street street_of(const std::string& cloud, const Leaving& leaving, const fs::pat
   fmt::print("{}{}\n", cloud, kind);
   const fs::path kept = cache.empty() ? fs::path() : cache / (fs::path(cloud).stem().string() + kind + ".candidates");
   Street street = !kept.empty() && fs::exists(kept) ? load(kept) : study(cloud, leaving);
-  if (!kept.empty() && !fs::exists(kept)) save(street, kept);
+  if (!kept.empty() && !fs::exists(kept)) {
+    save(street, kept);
+    street = load(kept);  // without what takes the most memory
+  }
   set_roles(street);
   std::map<std::string, std::uint64_t> counts;
   for (const TrainingSample& s : street.samples)
@@ -338,10 +342,10 @@ std::vector<Street> other_streets(const Arguments& a) {
 void run(const Arguments& a) {
   std::vector<Street> streets;
   for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, {}, a.cache));
-  const std::vector<Street> whole = streets;
+  const std::vector<Street> whole = a.evaluate ? streets : std::vector<Street>{};
   if (a.cut > 0)
     for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, {a.cut, 1, false}, a.cache));
-  const std::size_t different = whole.size();
+  const std::size_t different = a.clouds.size();
   const std::vector<Street> others = other_streets(a);
   if (a.shipped || !a.judged.empty()) {
     std::vector<Street> judged = streets;

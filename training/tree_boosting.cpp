@@ -8,6 +8,7 @@
 
 #include "kernels/core/parallel.h"
 #include "kernels/core/portable_math.h"
+#include "kernels/core/rng.h"
 
 namespace ilot {
 namespace {
@@ -16,6 +17,8 @@ constexpr double kSlopeUnit = 0x1p-20;  // unit of gradients and curvatures
 constexpr std::size_t kMostBins = 256;
 constexpr double kMostStep = 8;       // largest step that a leaf adds
 constexpr std::size_t kGrain = 4096;  // rows
+// Choice: steps of a gradient by which the steepest rows are found; finer steps would choose nearly the same rows.
+constexpr std::size_t kSteps = 1024;  // from 0 to 1
 
 std::int32_t in_units(double slope) {
   return static_cast<std::int32_t>(std::lround(slope / kSlopeUnit));
@@ -25,6 +28,10 @@ std::int32_t in_units(double slope) {
 struct RowSlope {
   std::int32_t first = 0, second = 0;
 };
+
+std::size_t steps_of(const RowSlope& s) {
+  return static_cast<std::size_t>(kSlopeUnit * std::abs(s.first) * kSteps);
+}
 
 // Sums of slopes.
 struct Slope {
@@ -40,6 +47,7 @@ struct BinnedColumns {
   std::vector<std::vector<float>> limits;
   std::vector<std::size_t> start;  // start of each column in a histogram, and the end
   std::vector<std::uint8_t> bins;
+  std::vector<std::uint64_t> keys;  // hash of the bins of each row
   const std::uint8_t* column(std::size_t c) const { return bins.data() + c * rows; }
 };
 
@@ -60,7 +68,7 @@ std::vector<float> even_limits(std::vector<double> values, std::size_t bins) {
 }
 
 BinnedColumns binned(const TreeSamples& samples, std::size_t bins) {
-  BinnedColumns out{samples.of_class.size(), std::vector<std::vector<float>>(samples.columns), {0}, {}};
+  BinnedColumns out{samples.of_class.size(), std::vector<std::vector<float>>(samples.columns), {0}, {}, {}};
   out.bins.resize(samples.values.size());
   parallel_for(samples.columns, [&](std::size_t c) {
     std::vector<double> column(out.rows);
@@ -70,6 +78,34 @@ BinnedColumns binned(const TreeSamples& samples, std::size_t bins) {
     std::copy(own.begin(), own.end(), out.bins.begin() + static_cast<std::ptrdiff_t>(c * out.rows));
   });
   for (const auto& list : out.limits) out.start.push_back(out.start.back() + list.size() + 1);
+  out.keys.resize(out.rows, 0);
+  for (std::size_t c = 0; c < samples.columns; ++c)
+    for (std::size_t r = 0; r < out.rows; ++r) out.keys[r] = mix64(out.keys[r] ^ out.column(c)[r]);
+  return out;
+}
+
+// The least number of steps of a gradient that at most so many rows have.
+std::size_t steep_from(std::span<const RowSlope> slopes, std::size_t most) {
+  std::array<std::size_t, kSteps + 1> count{};
+  for (const RowSlope& s : slopes) ++count[steps_of(s)];
+  std::size_t from = kSteps + 1, above = 0;
+  while (from > 1 && above + count[from - 1] <= most) above += count[--from];
+  return from;
+}
+
+// Returns the rows that a tree learns from. The slopes of those that were drawn count for all they stand for.
+std::vector<std::uint32_t> counted_rows(std::span<const std::uint64_t> keys, const TreeBoostingParams& params,
+                                        std::uint64_t tree, std::span<RowSlope> slopes) {
+  const std::size_t steep =
+      steep_from(slopes, static_cast<std::size_t>(params.steepest * static_cast<double>(slopes.size())));
+  const auto times = static_cast<std::int32_t>(params.drawn_of);
+  std::vector<std::uint32_t> out;
+  for (std::size_t r = 0; r < slopes.size(); ++r) {
+    const bool drawn = times > 1 && steps_of(slopes[r]) < steep;
+    if (drawn && Rng(keys[r], tree).at(0) % params.drawn_of != 0) continue;
+    if (drawn) slopes[r] = {times * slopes[r].first, times * slopes[r].second};
+    out.push_back(static_cast<std::uint32_t>(r));
+  }
   return out;
 }
 
@@ -88,11 +124,11 @@ class TreeGrower {
       : columns_(columns), slopes_(slopes), params_(params) {}
 
   // Fills in a tree, and adds the value of its leaf to the score of each row.
-  void grow(std::span<TreeSplit> splits, std::span<std::int32_t> leaves, std::span<std::int32_t> scores) {
+  void grow(std::vector<std::uint32_t> rows, std::span<TreeSplit> splits, std::span<std::int32_t> leaves,
+            std::span<std::int32_t> scores) {
     std::vector<GrowingNode> level(1);
-    level[0].rows.resize(columns_.rows);
-    for (std::size_t r = 0; r < columns_.rows; ++r) level[0].rows[r] = static_cast<std::uint32_t>(r);
-    for (const RowSlope& s : slopes_) level[0].all.add(s);
+    level[0].rows = std::move(rows);
+    for (const std::uint32_t r : level[0].rows) level[0].all.add(slopes_[r]);
     level[0].histogram = counted(level[0].rows);
     for (std::size_t depth = 1; depth <= params_.depth; ++depth) {
       std::vector<GrowingNode> next(2 * level.size());
@@ -102,10 +138,8 @@ class TreeGrower {
       }
       level = std::move(next);
     }
-    for (std::size_t n = 0; n < leaves.size(); ++n) {
-      leaves[n] = leaf_of(level[n].all);
-      for (const std::uint32_t r : level[n].rows) scores[r] += leaves[n];
-    }
+    for (std::size_t n = 0; n < leaves.size(); ++n) leaves[n] = leaf_of(level[n].all);
+    add_leaves(splits, leaves, scores);
   }
 
  private:
@@ -119,13 +153,33 @@ class TreeGrower {
     return static_cast<std::int32_t>(std::lround(std::clamp(step, -kMostStep, kMostStep) / kTreeUnit));
   }
 
+  // Takes all rows down the tree, some at a time, so that their nodes stay in the cache.
+  void add_leaves(std::span<const TreeSplit> splits, std::span<const std::int32_t> leaves,
+                  std::span<std::int32_t> scores) const {
+    std::array<std::uint8_t, kGrain> node;
+    for (std::size_t first = 0; first < scores.size(); first += kGrain) {
+      const std::size_t count = std::min(kGrain, scores.size() - first);
+      std::fill_n(node.begin(), count, std::uint8_t{0});
+      for (std::size_t depth = 0; depth < params_.depth; ++depth) {
+        const TreeSplit* split = splits.data() + (std::size_t{1} << depth) - 1;
+        for (std::size_t i = 0; i < count; ++i) {
+          const TreeSplit s = split[node[i]];
+          node[i] = static_cast<std::uint8_t>(2 * node[i] + (columns_.column(s.column)[first + i] > s.bin));
+        }
+      }
+      for (std::size_t i = 0; i < count; ++i) scores[first + i] += leaves[node[i]];
+    }
+  }
+
   std::vector<Slope> counted(const std::vector<std::uint32_t>& rows) const {
     std::vector<Slope> histogram(columns_.start.back());
+    std::vector<RowSlope> slopes(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) slopes[i] = slopes_[rows[i]];
     for (std::size_t c = 0; c < columns_.limits.size(); ++c) {
       if (columns_.limits[c].empty()) continue;
       const std::uint8_t* bin = columns_.column(c);
       Slope* own = histogram.data() + columns_.start[c];
-      for (const std::uint32_t r : rows) own[bin[r]].add(slopes_[r]);
+      for (std::size_t i = 0; i < rows.size(); ++i) own[bin[rows[i]]].add(slopes[i]);
     }
     return histogram;
   }
@@ -200,8 +254,10 @@ class Booster {
       set_slopes();
       parallel_for(samples_.classes, [&](std::size_t c) {
         const std::size_t tree = round * samples_.classes + c;
-        TreeGrower(columns_, std::span(slopes_).subspan(c * rows(), rows()), params_)
-            .grow(std::span(out_.splits).subspan(tree * (leaves - 1), leaves - 1),
+        const auto slopes = std::span(slopes_).subspan(c * rows(), rows());
+        TreeGrower(columns_, slopes, params_)
+            .grow(counted_rows(columns_.keys, params_, tree, slopes),
+                  std::span(out_.splits).subspan(tree * (leaves - 1), leaves - 1),
                   std::span(out_.leaves).subspan(tree * leaves, leaves),
                   std::span(scores_).subspan(c * rows(), rows()));
       });

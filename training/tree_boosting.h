@@ -14,6 +14,10 @@ struct TreeBoostingParams {
   double shrinkage = 0.15;     // factor of what a tree adds
   double ridge = 1;            // added to the curvature of a leaf
   double least_curvature = 1;  // least curvature of a leaf: sum of p (1 - p) over its rows
+  // Each tree learns from the rows with the greatest gradients, this share of all at most, and from one in `drawn_of`
+  // of the others, which counts `drawn_of` times (one-side sampling; Ke et al. 2017). With 1 it learns from all rows.
+  double steepest = 0.2;
+  std::uint32_t drawn_of = 1;
 };
 
 // Rows of values, one row after the other, and the class of each row.
@@ -28,8 +32,9 @@ struct TreeSamples {
 // before the round. Each tree is learnt level by level. A node is split where the gain is greatest (ties: the lower
 // column, then the lower limit), or not at all where there is no gain. Gradients are integer multiples of 2^-20 and are
 // summed as such, so the order of the rows and the number of threads do not matter. Limits that no tree uses are left
-// out. There are no random draws. A class without rows is never predicted. O(rounds classes depth rows columns) at
-// most, because of two nodes only the smaller one is counted. Memory is about columns + 20 classes bytes per row.
+// out. Rows are drawn by a hash of their bins, the round and the class, so equal rows are drawn together. A class without
+// rows is never predicted. O(rounds classes depth (rows + counted rows columns)) at most, because of two nodes only the
+// smaller one is counted. Memory is about columns + 20 classes bytes per row.
 BoostedTrees boost_trees(const TreeSamples& samples, const TreeBoostingParams& params = {});
 
 }  // namespace ilot

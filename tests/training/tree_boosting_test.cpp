@@ -114,6 +114,20 @@ TEST(TreeBoosting, EachRoundLowersTheLoss) {
   EXPECT_LT(tree_loss(boost_trees(s.samples()), drawn(600, 5, 3, 5)), 0.75);  // not seen; 1.05 without trees
 }
 
+// Trees that learn from a third of the rows are nearly as good where there are many rows.
+TEST(TreeBoosting, DrawnRowsStandForTheOthers) {
+  const Set s = drawn(20000, 5, 3, 8), unseen = drawn(5000, 5, 3, 9);
+  TreeBoostingParams params;
+  params.rounds = 40;
+  const double all = tree_loss(boost_trees(s.samples(), params), unseen);
+  params.drawn_of = 8;
+  const double of_drawn = tree_loss(boost_trees(s.samples(), params), unseen);
+  EXPECT_LT(of_drawn, 1.02 * all);
+  EXPECT_NE(of_drawn, all);
+  params.steepest = 0, params.drawn_of = 4000;  // some five rows a tree cannot stand for all
+  EXPECT_GT(tree_loss(boost_trees(s.samples(), params), unseen), 1.1 * all);
+}
+
 TEST(TreeBoosting, NeitherOrderNorThreadsShow) {
   const Set s = drawn(700, 3, 4, 6);
   Set turned{s.columns, s.classes, {}, {}};
@@ -123,11 +137,15 @@ TEST(TreeBoosting, NeitherOrderNorThreadsShow) {
                          s.values.begin() + static_cast<std::ptrdiff_t>(r * 3 + 3));
     turned.of_class.push_back(s.of_class[r]);
   }
-  BoostedTrees one, three;
-  with_threads(1, [&] { one = boost_trees(s.samples()); });
-  with_threads(3, [&] { three = boost_trees(s.samples()); });
-  expect_same(one, three);
-  expect_same(one, boost_trees(turned.samples()));
+  for (const std::uint32_t drawn_of : {1u, 4u}) {
+    TreeBoostingParams params;
+    params.drawn_of = drawn_of;
+    BoostedTrees one, three;
+    with_threads(1, [&] { one = boost_trees(s.samples(), params); });
+    with_threads(3, [&] { three = boost_trees(s.samples(), params); });
+    expect_same(one, three);
+    expect_same(one, boost_trees(turned.samples(), params));
+  }
 }
 
 TEST(TreeBoosting, LimitsThatNoTreeAsksForAreLeftOut) {
