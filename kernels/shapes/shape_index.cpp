@@ -75,6 +75,35 @@ ShapeIndex::Cone cone_of(const ShapeIndex& s, std::size_t begin, std::size_t end
   return {f(axis.x), f(axis.y), f(axis.z), f(least), f(std::sqrt(1 - least * least))};
 }
 
+// Measures the points of a leaf along the axis of its normals.
+void measure_slab(const ShapeIndex& s, std::size_t leaf, ShapeIndex::Cone& cone) {
+  const float* ball = s.balls[0].data() + leaf / 8 * 32 + leaf % 8;
+  const Vec3 centre{ball[0], ball[8], ball[16]}, axis{cone.x, cone.y, cone.z};
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  const std::size_t end = std::min(s.size, (leaf + 1) * ShapeIndex::kLeaf);
+  for (std::size_t i = leaf * ShapeIndex::kLeaf; i < end; ++i) {
+    const double along = dot(s.position(i) - centre, axis);
+    low = std::min(low, along);
+    high = std::max(high, along);
+  }
+  cone.middle = static_cast<float>(0.5 * (low + high));
+  const double middle = static_cast<double>(cone.middle);
+  cone.half = static_cast<float>(std::max(high - middle, middle - low) * kMargin);
+}
+
+void build_cones(ShapeIndex& s) {
+  s.cones.assign((s.in_leaf.size() + 7) / 8 * 8 * ShapeIndex::kConeFloats, 0.0f);
+  for (std::size_t leaf = 0; leaf < s.in_leaf.size(); ++leaf) {
+    ShapeIndex::Cone c = cone_of(s, leaf * ShapeIndex::kLeaf, std::min(s.size, (leaf + 1) * ShapeIndex::kLeaf));
+    measure_slab(s, leaf, c);
+    float* to = s.cones.data() + leaf / 8 * 8 * ShapeIndex::kConeFloats + leaf % 8;
+    for (const float v : {c.x, c.y, c.z, c.cosine, c.sine, c.middle, c.half}) {
+      *to = v;
+      to += 8;
+    }
+  }
+}
+
 // After this no shape comes near a leaf without points, or a ball without balls.
 void empty_ball(ShapeIndex& index, std::size_t ball) {
   for (std::vector<float>& level : index.balls) {
@@ -164,9 +193,8 @@ ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::
     ++s.in_leaf[to / ShapeIndex::kLeaf];
     ++to;
   }
-  for (std::size_t leaf = 0; leaf < leaves; ++leaf)
-    s.cones.push_back(cone_of(s, leaf * ShapeIndex::kLeaf, std::min(s.size, (leaf + 1) * ShapeIndex::kLeaf)));
   build_balls(s);
+  build_cones(s);
   choose_levels(s);
   return s;
 }

@@ -12,12 +12,14 @@ namespace ilot {
 // eight leaves are a node, and so on. Points can be removed. A removed point is a hole: its coordinates are NaN, so no
 // test finds it. A ball without points has the radius NaN, so no shape comes near it.
 struct ShapeIndex {
-  // All normals of a leaf, in one sense or the other, are within an angle about the axis. The cosine and sine are those
-  // of this angle.
+  // All normals of a leaf, in one sense or the other, are within an angle about its axis. Along the axis, all its
+  // points are at most half of its thickness from a middle, which is given from the centre of its ball.
   struct Cone {
     float x = 0, y = 0, z = 0;
-    float cosine = -1, sine = 0;  // of unit normals; -1 and 0 for other normals
+    float cosine = -1, sine = 0;  // of the angle; -1 and 0, and no axis, where the normals are not unit
+    float middle = 0, half = 0;
   };
+  static constexpr std::size_t kConeFloats = 7;
 
   static constexpr std::uint32_t kLeaf = 64;
 
@@ -28,7 +30,7 @@ struct ShapeIndex {
   std::vector<std::uint32_t> in_leaf;     // per leaf: points that are left
   std::vector<std::uint64_t> changed;     // per leaf: the epoch since which its points have not changed
   std::vector<std::vector<float>> balls;  // per level, groups of 8: x8 y8 z8 radius8
-  std::vector<Cone> cones;                // per leaf
+  std::vector<float> cones;               // of leaves, in groups of 8: x8 y8 z8 cosine8 sine8 middle8 half8
   std::size_t size = 0;                   // number of positions, holes included
   std::size_t left = 0;                   // number of points
   std::uint64_t epoch = 1;                // grows whenever points are removed

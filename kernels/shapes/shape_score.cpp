@@ -20,22 +20,6 @@ struct Request {
   std::span<const std::uint32_t> met() const { return {leaves.get(), args.leaf_count}; }
 };
 
-// Removes the leaves that have no normal within the angle of the plane's normal. For these the angle between it and the
-// axis of the leaf is at least the sum of both angles.
-void keep_agreeing(Request& r, const ShapeIndex& index, Vec3 normal, double min_cos) {
-  // Derived: above the rounding of packed normals, 1 / 32767.
-  constexpr double kRounding = 1e-3;  // of cosines, and of the lengths of normals
-  const double cosine = std::max(0.0, min_cos - kRounding), sine = std::sqrt(1 - cosine * cosine);
-  std::uint32_t left = 0;
-  for (const std::uint32_t leaf : r.met()) {
-    const ShapeIndex::Cone& cone = index.cones[leaf];
-    const double least = cosine * static_cast<double>(cone.cosine) - sine * static_cast<double>(cone.sine) - kRounding;
-    r.leaves[left] = leaf;
-    left += std::abs(dot(normal, {cone.x, cone.y, cone.z})) >= least;
-  }
-  r.args.leaf_count = left;
-}
-
 // Prepares a shape in float32. Its origin is moved near the points where that does not change the shape. The slack is
 // what rounding may add to a distance: a few units in the last place of the longest vector.
 void prepare(Request& r, const ShapeIndex& index, const Shape& s, const ShapeScoreParams& params) {
@@ -46,6 +30,9 @@ void prepare(Request& r, const ShapeIndex& index, const Shape& s, const ShapeSco
   r.shape = {static_cast<float>(origin.x), static_cast<float>(origin.y), static_cast<float>(origin.z),
              static_cast<float>(s.axis.x), static_cast<float>(s.axis.y), static_cast<float>(s.axis.z),
              static_cast<float>(s.radius), static_cast<float>(s.sine),   static_cast<float>(s.cosine)};
+  // Derived: above the rounding of packed normals, 1 / 32767.
+  constexpr double kRounding = 1e-3;  // of cosines, and of the lengths of normals
+  const double cosine = std::max(0.0, params.min_cos - kRounding);
   const double longest = norm(index.centre) + index.reach + norm(index.centre - origin) + s.radius;
   for (const auto& level : index.balls) r.balls.push_back(level.data());
   r.leaves = std::make_unique_for_overwrite<std::uint32_t[]>(index.in_leaf.size() + 8);
@@ -57,16 +44,19 @@ void prepare(Request& r, const ShapeIndex& index, const Shape& s, const ShapeSco
             index.nz.data(),
             r.balls.data(),
             static_cast<int>(r.balls.size()),
+            index.cones.data(),
             r.shape.data(),
             static_cast<int>(s.kind),
             static_cast<float>(params.epsilon),
             static_cast<float>(params.min_cos),
             static_cast<float>(longest * 0x1p-19),
+            static_cast<float>(cosine),
+            static_cast<float>(std::sqrt(1 - cosine * cosine)),
+            static_cast<float>(kRounding),
             r.leaves.get(),
             0,
             nullptr};
   if (index.size > 0) r.args.leaf_count = simd::kShapeScore.best().shape_leaves(r.args);
-  if (s.kind == ShapeKind::kPlane) keep_agreeing(r, index, s.axis, params.min_cos);
 }
 
 bool may_hold(const Box3<Vec3>& box, const ShapeIndex& index, std::uint32_t leaf) {
