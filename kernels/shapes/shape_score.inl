@@ -102,8 +102,11 @@ inline std::uint32_t collect_balls(const ShapeArgs& args) {
   };
   Pending stack[16];
   int level = args.levels - 1;
-  if (level == 0) return add_leaves<kKind>(s, args, 0, margin, 0);
   std::uint32_t count = 0;
+  if (level == 0) {
+    for (std::uint32_t g = args.first_group; g < args.groups; ++g) count = add_leaves<kKind>(s, args, g, margin, count);
+    return count;
+  }
   stack[level] = {0, near_balls<kKind>(s, args.balls[level], margin)};
   while (level < args.levels) {
     Pending& top = stack[level];
