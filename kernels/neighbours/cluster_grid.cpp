@@ -118,31 +118,35 @@ void fill_bins(const ClusterGrid& grid, Points points, std::span<const std::uint
   for (std::uint32_t& b : s.begin) sum += b, b = sum;  // ends, which the loop below turns into beginnings
   s.begin.push_back(sum);
   s.points.resize(indices.size());
-  s.boxes.assign(s.bins.size(), IntBox::none());
-  for (std::size_t i = indices.size(); i-- > 0;) {
-    const IntPoint p = point_at(points, indices[i]);
-    s.points[--s.begin[s.of[i]]] = p;
-    s.boxes[s.of[i]].add(p);
-  }
+  for (std::size_t i = indices.size(); i-- > 0;) s.points[--s.begin[s.of[i]]] = point_at(points, indices[i]);
+}
+
+bool in_reach(std::span<const IntPoint> a, std::span<const IntPoint> b, std::int64_t radius2) {
+  constexpr std::size_t kFewPairs = 64;  // fewer cost less than their boxes
+  if (a.size() * b.size() <= kFewPairs) return within_reach(a, b, radius2);
+  return within_reach(a, box_of(a), b, box_of(b), radius2);
 }
 
 // Joins bins in use that have points in reach of each other. Bins that touch come first, because they join most sets,
-// and bins of one set need no measuring.
-void join_bins(const ClusterGrid& grid, const ClusterScratch& s, UnionFind sets) {
+// and bins of one set need no measuring. Those in use are picked without branches, which would be mispredicted.
+void join_bins(const ClusterGrid& grid, ClusterScratch& s, UnionFind sets) {
   const auto points_of = [&](std::uint32_t slot) {
     return std::span(s.points).subspan(s.begin[slot], s.begin[slot + 1] - s.begin[slot]);
   };
+  const std::int64_t radius2 = grid.radius * grid.radius;
   std::size_t count = s.bins.size();
   for (const bool touching : {true, false})
     for (std::uint32_t a = 0; a < s.bins.size() && count > 1; ++a) {
       const ClusterGrid::Near& near = grid.near_of[s.bins[a]];
       const auto all = std::span(grid.near).subspan(near.begin, near.all);
+      s.met.resize(near.all);
+      std::size_t met = 0;
       for (const std::uint32_t bin : touching ? all.first(near.touching) : all.subspan(near.touching)) {
-        const std::uint32_t b = s.slot[bin];
-        if (b == kNone || sets.same(a, b)) continue;
-        if (within_reach(points_of(a), s.boxes[a], points_of(b), s.boxes[b], grid.radius * grid.radius))
-          count -= sets.unite(a, b);
+        s.met[met] = s.slot[bin];
+        met += s.met[met] != kNone;
       }
+      for (const std::uint32_t b : std::span(s.met).first(met))
+        if (!sets.same(a, b) && in_reach(points_of(a), points_of(b), radius2)) count -= sets.unite(a, b);
     }
 }
 
@@ -157,6 +161,32 @@ ClusterGrid build_cluster_grid(Points points, std::int64_t radius) {
   grid.radius = radius;
   add_near(grid, number_bins(points, box, edge, grid.bin), edge);
   return grid;
+}
+
+ClusterGrid narrowed_grid(const ClusterGrid& grid, std::span<const std::uint32_t> bins) {
+  ClusterGrid out;
+  out.radius = grid.radius;
+  std::vector<std::uint32_t> number(grid.near_of.size(), kNone), used;
+  for (const std::uint32_t bin : bins) {
+    if (number[bin] == kNone) {
+      number[bin] = static_cast<std::uint32_t>(used.size());
+      used.push_back(bin);
+    }
+    out.bin.push_back(number[bin]);
+  }
+  for (const std::uint32_t bin : used) {
+    const ClusterGrid::Near& from = grid.near_of[bin];
+    ClusterGrid::Near& to = out.near_of.emplace_back();
+    to.begin = out.near.size();
+    for (std::uint32_t k = 0; k < from.all; ++k) {
+      const std::uint32_t other = number[grid.near[from.begin + k]];
+      if (other == kNone) continue;
+      out.near.push_back(other);
+      ++to.all;
+      to.touching += k < from.touching;
+    }
+  }
+  return out;
 }
 
 Clusters grid_clusters(const ClusterGrid& grid, Points points, std::span<const std::uint32_t> indices,

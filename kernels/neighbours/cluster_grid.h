@@ -30,12 +30,15 @@ struct ClusterGrid {
 // is below 2^-20 of the extent of the points. O(n log n).
 ClusterGrid build_cluster_grid(Points points, std::int64_t radius);
 
+// Returns the grid of some points of another, from the bin that each has in the other. O(bins of the other).
+ClusterGrid narrowed_grid(const ClusterGrid& grid, std::span<const std::uint32_t> bins);
+
 // The memory that grid_clusters() works in. It may be kept from call to call and has no meaning between them.
 struct ClusterScratch {
   std::vector<std::uint32_t> slot;                             // of each bin: its number among the bins in use
   std::vector<std::uint32_t> bins, begin, of, parent, number;  // of each bin in use; `of`: of each point, its slot
+  std::vector<std::uint32_t> met;                              // slots near a bin
   std::vector<IntPoint> points;                                // bin by bin
-  std::vector<IntBox> boxes;
 };
 
 // Returns the same as euclidean_clusters(points, indices, grid.radius) for the points of the grid. O(n) for points that

@@ -7,12 +7,6 @@
 namespace ilot {
 namespace {
 
-IntBox box_of(std::span<const IntPoint> points) {
-  IntBox b{points.front(), points.front()};
-  for (const IntPoint& p : points) b.add(p);
-  return b;
-}
-
 constexpr std::int64_t squared(std::int64_t v) {
   return v * v;
 }

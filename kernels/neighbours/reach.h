@@ -24,6 +24,12 @@ std::int64_t bin_edge(std::int64_t radius);
 
 using IntBox = Box3<IntPoint>;
 
+inline IntBox box_of(std::span<const IntPoint> points) {
+  IntBox b{points.front(), points.front()};
+  for (const IntPoint& p : points) b.add(p);
+  return b;
+}
+
 // Whether any point of the first set is within the radius of any of the second.
 bool within_reach(std::span<const IntPoint> a, std::span<const IntPoint> b, std::int64_t radius2);
 

@@ -304,11 +304,16 @@ class Search {
   }
 
   void compact() {
-    Indices left;
-    for (std::size_t i = 0; i < all_.size; ++i)
-      if (!all_.is_hole(i)) left.push_back(all_.index[i]);
+    Indices left, bin_of(grid_.empty() ? 0 : points_.points.size), bins;
+    for (std::size_t i = 0; i < all_.size; ++i) {
+      if (all_.is_hole(i)) continue;
+      left.push_back(all_.index[i]);
+      if (!grid_.empty()) bin_of[all_.index[i]] = grid_.bin[i];
+    }
     all_ = build_shape_index(points_, left, all_.epoch + 1);  // counts round anew
-    grid_ = build_cluster_grid(remaining_points(), params_.connectivity);
+    if (grid_.empty()) return;
+    for (const std::uint32_t i : all_.index) bins.push_back(bin_of[i]);
+    grid_ = narrowed_grid(grid_, bins);
   }
 
   // Bounds on one sample are not valid for another.
