@@ -52,9 +52,15 @@ class Neighbourhood {
     return votes;
   }
   bool any_in(std::uint32_t i, std::span<const std::uint8_t> set) const {
-    for (const std::uint32_t j : neighbours_.of(i))
-      if (j != kNoNeighbour && set[j]) return true;
-    return set[i] != 0;
+    std::uint8_t any = set[i];
+    for (const std::uint32_t j : neighbours_.of(i)) any |= set[j == kNoNeighbour ? i : j];
+    return any != 0;
+  }
+  // Whether all neighbours have this label, as i has. Most do, so all are looked at without branches.
+  bool all_have(std::uint32_t i, std::uint32_t wanted, std::span<const std::uint32_t> label) const {
+    std::uint32_t differing = 0;
+    for (const std::uint32_t j : neighbours_.of(i)) differing |= label[j == kNoNeighbour ? i : j] ^ wanted;
+    return differing == 0;
   }
   // Returns the side of the plane on which the neighbours with this label are. It is the sum of the signed distances of
   // those that are clearly not on the plane, or 0 when there are none.
@@ -92,9 +98,11 @@ std::size_t assign_unlabelled(Points points, const NeighbourLists& neighbours, c
     if (segments.label[i] == 0) strays.push_back(i);
   std::size_t adopted = 0;
   std::vector<std::uint32_t> chosen;
+  std::vector<std::uint8_t> changed(points.size, 0);  // whether a point got its label in the round before
   for (int round = 0; round < params.max_rounds && !strays.empty(); ++round) {
     chosen.assign(strays.size(), 0);
     for (std::size_t s = 0; s < strays.size(); ++s) {
+      if (round > 0 && !around.any_in(strays[s], changed)) continue;  // as before: it stays without a label
       const Votes votes = around.votes(strays[s], segments.label);
       double least = params.epsilon;
       for (std::size_t v = 0; v < votes.size; ++v) {
@@ -108,8 +116,10 @@ std::size_t assign_unlabelled(Points points, const NeighbourLists& neighbours, c
       }
     }
     std::size_t left = 0;
+    if (round > 0) std::fill(changed.begin(), changed.end(), std::uint8_t{0});
     for (std::size_t s = 0; s < strays.size(); ++s) {
       segments.label[strays[s]] = chosen[s];
+      changed[strays[s]] = chosen[s] != 0;
       if (chosen[s] == 0) strays[left++] = strays[s];
     }
     if (left == strays.size()) break;
@@ -142,6 +152,7 @@ std::uint32_t nearest(const Neighbourhood& around, std::uint32_t i, const Relabe
 std::uint32_t split_label(const Neighbourhood& around, std::uint32_t i, const RelabelParams& params,
                           const PlaneSegments& segments, const std::vector<std::uint32_t>& size) {
   const std::uint32_t own = segments.label[i];
+  if (around.all_have(i, own, segments.label)) return own;
   const Votes votes = around.votes(i, segments.label, own);
   if (votes.size == 0) return own;
   if (params.border == RelabelParams::Border::nearest) return nearest(around, i, params, segments, votes);
