@@ -8,8 +8,7 @@
 
 #include "kernels/core/radix_sort.h"
 #include "kernels/core/union_find.h"
-#include "kernels/geometry/box3.h"
-#include "kernels/neighbours/morton.h"
+#include "kernels/neighbours/reach.h"
 
 namespace ilot {
 namespace {
@@ -28,28 +27,7 @@ struct Binned {
   std::vector<Row> rows;               // ascending by key
 };
 
-constexpr int kCellBits = 21;
 constexpr std::size_t kFew = 96;
-
-constexpr std::uint64_t pack(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
-  return z << 2 * kCellBits | y << kCellBits | x;
-}
-
-// Returns the edge of the largest cell in which any two integer points are within the radius: 3 (edge - 1)^2 <=
-// radius^2.
-std::int64_t bin_edge(std::int64_t radius) {
-  std::int64_t edge = static_cast<std::int64_t>(static_cast<double>(radius) / 1.7320508075688772) + 2;
-  while (edge > 1 && 3 * (edge - 1) * (edge - 1) > radius * radius) --edge;
-  return edge;
-}
-
-struct IntPoint {
-  std::int32_t x, y, z;
-};
-
-IntPoint point_at(const Points& p, std::uint32_t i) {
-  return {static_cast<std::int32_t>(p.x[i]), static_cast<std::int32_t>(p.y[i]), static_cast<std::int32_t>(p.z[i])};
-}
 
 // The axis along which the points reach farthest: 0, 1 or 2.
 int longest_axis(const IntPoint& low, const IntPoint& high) {
@@ -66,21 +44,15 @@ Binned bin_points(const Points& p, std::span<const std::uint32_t> indices, std::
     high = {std::max(high.x, q.x), std::max(high.y, q.y), std::max(high.z, q.z)};
   }
   const int axis = longest_axis(low, high);
-  // There are two empty cells below the lowest point, so that the neighbours of any cell have keys.
-  constexpr std::uint64_t kBorder = 2;
-  // Half a unit more keeps the quotient 2^-26 away from integers, which is more than the error of the product of
-  // doubles.
   const double per_unit = 1 / static_cast<double>(edge);
-  const auto cell = [&](std::int32_t v, std::int32_t from) {
-    return static_cast<std::uint64_t>((static_cast<double>(v) - from + 0.5) * per_unit) + kBorder;
-  };
+  const BinAxis in_x{low.x, per_unit}, in_y{low.y, per_unit}, in_z{low.z, per_unit};
   // Consecutive points are mostly in one cell, so runs of them are sorted, by their first point.
   std::vector<KeyValue> runs;
   std::vector<std::uint32_t> length(indices.size(), 0);  // by first point
   for (std::uint32_t i = 0; i < indices.size(); ++i) {
     const IntPoint q = point_at(p, indices[i]);
-    const std::uint64_t x = cell(q.x, low.x), y = cell(q.y, low.y), z = cell(q.z, low.z);
-    const std::uint64_t key = axis == 0 ? pack(x, y, z) : axis == 1 ? pack(y, x, z) : pack(z, x, y);
+    const std::uint64_t x = in_x(q.x), y = in_y(q.y), z = in_z(q.z);
+    const std::uint64_t key = axis == 0 ? pack_bin(x, y, z) : axis == 1 ? pack_bin(y, x, z) : pack_bin(z, x, y);
     if (runs.empty() || runs.back().key != key) runs.push_back({key, i});
     ++length[runs.back().value];
   }
@@ -90,12 +62,12 @@ Binned bin_points(const Points& p, std::span<const std::uint32_t> indices, std::
   binned.members.reserve(indices.size());
   for (auto* v : {&binned.x, &binned.begin}) v->reserve(runs.size() + 1);
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const std::uint64_t key = runs[i].key, row = key >> kCellBits;
+    const std::uint64_t key = runs[i].key, row = key >> kBinBits;
     const bool new_row = binned.rows.empty() || binned.rows.back().key != row;
     const auto bin = static_cast<std::uint32_t>(binned.x.size());
     if (new_row) binned.rows.push_back({row, bin, bin});
     if (new_row || key != runs[i - 1].key) {
-      binned.x.push_back(static_cast<std::uint32_t>(key & ((1u << kCellBits) - 1)));
+      binned.x.push_back(static_cast<std::uint32_t>(key & ((1u << kBinBits) - 1)));
       binned.begin.push_back(static_cast<std::uint32_t>(binned.members.size()));
       ++binned.rows.back().end;
     }
@@ -111,91 +83,6 @@ std::vector<IntPoint> in_bin_order(const Points& p, std::span<const std::uint32_
   std::vector<IntPoint> points(binned.members.size());
   for (std::size_t i = 0; i < points.size(); ++i) points[i] = point_at(p, indices[binned.members[i]]);
   return points;
-}
-
-using IntBox = Box3<IntPoint>;
-
-IntBox box_of(std::span<const IntPoint> points) {
-  IntBox b{points.front(), points.front()};
-  for (const IntPoint& p : points) b.add(p);
-  return b;
-}
-
-constexpr std::int64_t squared(std::int64_t v) {
-  return v * v;
-}
-
-// Squared distances between boxes: of their nearest and of their farthest points.
-std::int64_t least_distance2(const IntBox& a, const IntBox& b) {
-  const auto gap = [](std::int64_t a0, std::int64_t a1, std::int64_t b0, std::int64_t b1) {
-    return std::max({std::int64_t{0}, b0 - a1, a0 - b1});
-  };
-  return squared(gap(a.min.x, a.max.x, b.min.x, b.max.x)) + squared(gap(a.min.y, a.max.y, b.min.y, b.max.y)) +
-         squared(gap(a.min.z, a.max.z, b.min.z, b.max.z));
-}
-
-std::int64_t most_distance2(const IntBox& a, const IntBox& b) {
-  const auto span = [](std::int64_t a0, std::int64_t a1, std::int64_t b0, std::int64_t b1) {
-    return std::max(a1, b1) - std::min(a0, b0);
-  };
-  return squared(span(a.min.x, a.max.x, b.min.x, b.max.x)) + squared(span(a.min.y, a.max.y, b.min.y, b.max.y)) +
-         squared(span(a.min.z, a.max.z, b.min.z, b.max.z));
-}
-
-bool any_pair_within(std::span<const IntPoint> a, std::span<const IntPoint> b, std::int64_t radius2) {
-  for (const IntPoint& u : a)
-    for (const IntPoint& v : b)
-      if (squared(std::int64_t{u.x} - v.x) + squared(std::int64_t{u.y} - v.y) + squared(std::int64_t{u.z} - v.z) <=
-          radius2)
-        return true;
-  return false;
-}
-
-// The larger set is halved while its box and the other's do not decide the answer. Sets in Morton order, as those of
-// the store are, have compact halves. Without that order, two dense bins just out of reach would cost the product of
-// their points.
-bool within_reach(std::span<const IntPoint> a, const IntBox& box_a, std::span<const IntPoint> b, const IntBox& box_b,
-                  std::int64_t radius2) {
-  constexpr std::size_t kFewPairs = 256;
-  if (least_distance2(box_a, box_b) > radius2) return false;
-  if (most_distance2(box_a, box_b) <= radius2) return true;
-  if (a.size() * b.size() <= kFewPairs) return any_pair_within(a, b, radius2);
-  if (a.size() < b.size()) return within_reach(b, box_b, a, box_a, radius2);
-  const auto low = a.first(a.size() / 2), high = a.subspan(a.size() / 2);
-  return within_reach(low, box_of(low), b, box_b, radius2) || within_reach(high, box_of(high), b, box_b, radius2);
-}
-
-bool within_reach(std::span<const IntPoint> a, std::span<const IntPoint> b, std::int64_t radius2) {
-  constexpr std::size_t kFewPairs = 1024;  // fewer cost less than their boxes
-  if (a.size() * b.size() <= kFewPairs) return any_pair_within(a, b, radius2);
-  return within_reach(a, box_of(a), b, box_of(b), radius2);
-}
-
-constexpr int kMostAway = 2;  // greatest distance in cells between points in reach of each other, along any axis
-
-// Rows with one z that the points of a row can reach: the row itself and those behind it in key order.
-struct RowsAhead {
-  std::uint64_t first = 0;  // added to the key of the row to get the first of them
-  std::vector<int> along;   // for each y from there: cells along x; below 0: none
-};
-
-// Returns the rows up to `most` cells away along any axis. The row itself comes first.
-std::vector<RowsAhead> rows_ahead(std::int64_t edge, std::int64_t radius, int most) {
-  const auto gap2 = [&](int d) {
-    const std::int64_t gap = d == 0 ? 0 : (std::abs(d) - 1) * edge + 1;
-    return gap * gap;
-  };
-  std::vector<RowsAhead> ahead;
-  for (int dz = 0; dz <= most; ++dz) {
-    const int first = dz == 0 ? 0 : -most;
-    ahead.push_back({static_cast<std::uint64_t>(std::int64_t{dz} * (1 << kCellBits) + first), {}});
-    for (int dy = first; dy <= most; ++dy) {
-      int along = most;
-      while (along >= 0 && gap2(along) + gap2(dy) + gap2(dz) > radius * radius) --along;
-      ahead.back().along.push_back(along);
-    }
-  }
-  return ahead;
 }
 
 // Consecutive bins of a row, each of which reaches the next. They are one set from the start.
@@ -273,7 +160,7 @@ class Joiner {
 // sets. The function may stop at one.
 void join_ahead(const Joiner& joiner, const Segments& segments, const std::vector<Row>& rows,
                 const std::vector<RowsAhead>& ahead, UnionFind sets, std::size_t& count) {
-  std::array<std::size_t, kMostAway + 1> at{};
+  std::array<std::size_t, kMostBinsAway + 1> at{};
   for (std::size_t i = 0; i < rows.size() && count > 1; ++i) {
     for (std::size_t r = 0; r < ahead.size(); ++r) {
       std::size_t& first = at[r];
@@ -327,7 +214,7 @@ Clusters euclidean_clusters(Points points, std::span<const std::uint32_t> indice
   UnionFind sets(parents);
   std::size_t count = segments.all.size();
   // Neighbouring rows come first, because they join most sets, and points of one set need no measuring.
-  for (const int most : {1, kMostAway})
+  for (const int most : {1, kMostBinsAway})
     join_ahead(joiner, segments, binned.rows, rows_ahead(edge, radius, most), sets, count);
 
   std::vector<std::uint32_t> root_of(indices.size());

@@ -40,26 +40,27 @@ class Neighbourhood {
     assert(neighbours.k <= static_cast<std::uint32_t>(kMaxNeighbours));
   }
 
-  // Returns the labels of the neighbours of i, without i itself.
-  Votes votes(std::uint32_t i, std::span<const std::uint32_t> label) const {
+  // Returns the labels of the neighbours of i, without i itself and without those of a label that does not count.
+  Votes votes(std::uint32_t i, std::span<const std::uint32_t> label, std::uint32_t without = 0) const {
     Votes votes;
     for (const std::uint32_t j : neighbours_.of(i)) {
       if (j == kNoNeighbour) break;
-      if (j == i || label[j] == 0) continue;
+      if (j == i || label[j] == 0 || label[j] == without) continue;
       const double dx = p_.x[i] - p_.x[j], dy = p_.y[i] - p_.y[j], dz = p_.z[i] - p_.z[j];
       if (dx * dx + dy * dy + dz * dz <= max_d2_) votes.add(label[j]);
     }
     return votes;
   }
   bool any_in(std::uint32_t i, std::span<const std::uint8_t> set) const {
-    for (const std::uint32_t j : neighbours_.of(i))
-      if (j != kNoNeighbour && set[j]) return true;
-    return set[i] != 0;
+    std::uint8_t any = set[i];
+    for (const std::uint32_t j : neighbours_.of(i)) any |= set[j == kNoNeighbour ? i : j];
+    return any != 0;
   }
+  // Whether all neighbours have this label, as i has. Most do, so all are looked at without branches.
   bool all_have(std::uint32_t i, std::uint32_t wanted, std::span<const std::uint32_t> label) const {
-    for (const std::uint32_t j : neighbours_.of(i))
-      if (j != kNoNeighbour && label[j] != wanted) return false;
-    return true;
+    std::uint32_t differing = 0;
+    for (const std::uint32_t j : neighbours_.of(i)) differing |= label[j == kNoNeighbour ? i : j] ^ wanted;
+    return differing == 0;
   }
   // Returns the side of the plane on which the neighbours with this label are. It is the sum of the signed distances of
   // those that are clearly not on the plane, or 0 when there are none.
@@ -97,9 +98,11 @@ std::size_t assign_unlabelled(Points points, const NeighbourLists& neighbours, c
     if (segments.label[i] == 0) strays.push_back(i);
   std::size_t adopted = 0;
   std::vector<std::uint32_t> chosen;
+  std::vector<std::uint8_t> changed(points.size, 0);  // whether a point got its label in the round before
   for (int round = 0; round < params.max_rounds && !strays.empty(); ++round) {
     chosen.assign(strays.size(), 0);
     for (std::size_t s = 0; s < strays.size(); ++s) {
+      if (round > 0 && !around.any_in(strays[s], changed)) continue;  // as before: it stays without a label
       const Votes votes = around.votes(strays[s], segments.label);
       double least = params.epsilon;
       for (std::size_t v = 0; v < votes.size; ++v) {
@@ -113,8 +116,10 @@ std::size_t assign_unlabelled(Points points, const NeighbourLists& neighbours, c
       }
     }
     std::size_t left = 0;
+    if (round > 0) std::fill(changed.begin(), changed.end(), std::uint8_t{0});
     for (std::size_t s = 0; s < strays.size(); ++s) {
       segments.label[strays[s]] = chosen[s];
+      changed[strays[s]] = chosen[s] != 0;
       if (chosen[s] == 0) strays[left++] = strays[s];
     }
     if (left == strays.size()) break;
@@ -134,7 +139,7 @@ std::uint32_t nearest(const Neighbourhood& around, std::uint32_t i, const Relabe
   double least = around.distance(i, segments.planes[best - 1]);
   for (std::size_t v = 0; v < votes.size; ++v) {
     const Vote& vote = votes.vote[v];
-    if (vote.label == segments.label[i] || vote.count < params.min_votes) continue;
+    if (vote.count < params.min_votes) continue;
     const double d = around.distance(i, segments.planes[vote.label - 1]);
     if (d > params.epsilon || d > least || (d == least && (best == segments.label[i] || vote.label > best))) continue;
     least = d;
@@ -148,22 +153,22 @@ std::uint32_t split_label(const Neighbourhood& around, std::uint32_t i, const Re
                           const PlaneSegments& segments, const std::vector<std::uint32_t>& size) {
   const std::uint32_t own = segments.label[i];
   if (around.all_have(i, own, segments.label)) return own;
-  const Votes votes = around.votes(i, segments.label);
-  if (votes.size == 0 || (votes.size == 1 && votes.vote[0].label == own)) return own;
+  const Votes votes = around.votes(i, segments.label, own);
+  if (votes.size == 0) return own;
   if (params.border == RelabelParams::Border::nearest) return nearest(around, i, params, segments, votes);
   const Plane& a = segments.planes[own - 1];
   std::uint32_t best = own;
   double margin = 0;
   for (std::size_t v = 0; v < votes.size; ++v) {
     const Vote& vote = votes.vote[v];
-    if (vote.label == own || vote.count < params.min_votes) continue;
+    if (vote.count < params.min_votes) continue;
     const Plane& b = segments.planes[vote.label - 1];
     const double to_b = around.signed_from(i, b), to_a = around.signed_from(i, a);
     if (std::abs(to_b) > params.epsilon) continue;
     // How far the point is on the side of a plane where the points of the other plane are.
-    const double side_of_b = around.side(i, segments.label, own, b, params.epsilon);
     const double side_of_a = around.side(i, segments.label, vote.label, a, params.epsilon);
     if (side_of_a == 0) continue;  // no neighbour here clearly belongs to the other plane
+    const double side_of_b = around.side(i, segments.label, own, b, params.epsilon);
     const double beyond_a = side_of_a < 0 ? -to_a : to_a;
     const double beyond_b = side_of_b == 0 ? -params.epsilon : side_of_b < 0 ? -to_b : to_b;
     const double lean = size[vote.label] > size[own] ? params.lean : size[vote.label] < size[own] ? -params.lean : 0;

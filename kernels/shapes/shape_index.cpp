@@ -19,21 +19,23 @@ constexpr std::size_t kFewestInCell = 16;  // points of an average cell of the s
 // Derived: the comment on the line.
 constexpr double kMargin = 1 + 1e-6;  // more than the rounding of a ball to float32
 
+// Puts the ball around a box, number i of a level, into its group.
+void put_ball(std::vector<float>& level, std::size_t i, const Box3<Vec3>& b) {
+  float* group = level.data() + i / 8 * 32 + i % 8;
+  const Vec3 c = 0.5 * (b.min + b.max);
+  group[0] = static_cast<float>(c.x);
+  group[8] = static_cast<float>(c.y);
+  group[16] = static_cast<float>(c.z);
+  const Vec3 centre{group[0], group[8], group[16]};
+  const Vec3 d{std::max(b.max.x - centre.x, centre.x - b.min.x), std::max(b.max.y - centre.y, centre.y - b.min.y),
+               std::max(b.max.z - centre.z, centre.z - b.min.z)};
+  group[24] = static_cast<float>(norm(d) * kMargin);
+}
+
 void add_balls(ShapeIndex& s, const std::vector<Box3<Vec3>>& boxes) {
   std::vector<float> level((boxes.size() + 7) / 8 * 32, kHole);
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Box3<Vec3>& b = boxes[i];
-    if (b.is_empty()) continue;
-    float* group = level.data() + i / 8 * 32 + i % 8;
-    const Vec3 c = 0.5 * (b.min + b.max);
-    group[0] = static_cast<float>(c.x);
-    group[8] = static_cast<float>(c.y);
-    group[16] = static_cast<float>(c.z);
-    const Vec3 centre{group[0], group[8], group[16]};
-    const Vec3 d{std::max(b.max.x - centre.x, centre.x - b.min.x), std::max(b.max.y - centre.y, centre.y - b.min.y),
-                 std::max(b.max.z - centre.z, centre.z - b.min.z)};
-    group[24] = static_cast<float>(norm(d) * kMargin);
-  }
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (!boxes[i].is_empty()) put_ball(level, i, boxes[i]);
   s.balls.push_back(std::move(level));
 }
 
@@ -52,7 +54,7 @@ void build_balls(ShapeIndex& s) {
   }
 }
 
-ShapeIndex::Cone cone_of(const ShapeIndex& s, std::size_t begin, std::size_t end) {
+ShapeLeaves::Cone cone_of(const ShapeLeaves& s, std::size_t begin, std::size_t end) {
   // Derived: above the rounding of packed normals, 1 / 32767.
   constexpr double kUnit2 = 1 + 1e-3, kRounding = 1e-3;
   Vec3 sum;
@@ -73,6 +75,64 @@ ShapeIndex::Cone cone_of(const ShapeIndex& s, std::size_t begin, std::size_t end
   least = std::max(0.0, least - kRounding);
   const auto f = [](double v) { return static_cast<float>(v); };
   return {f(axis.x), f(axis.y), f(axis.z), f(least), f(std::sqrt(1 - least * least))};
+}
+
+// Measures the points of a leaf, up to position `end`, along the axis of its normals.
+void measure_slab(const ShapeLeaves& s, std::size_t leaf, std::size_t end, ShapeLeaves::Cone& cone) {
+  const float* ball = s.balls[0].data() + leaf / 8 * 32 + leaf % 8;
+  const Vec3 centre{ball[0], ball[8], ball[16]}, axis{cone.x, cone.y, cone.z};
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (std::size_t i = leaf * ShapeLeaves::kLeaf; i < end; ++i) {
+    const double along = dot(s.position(i) - centre, axis);
+    low = std::min(low, along);
+    high = std::max(high, along);
+  }
+  cone.middle = static_cast<float>(0.5 * (low + high));
+  const double middle = static_cast<double>(cone.middle);
+  cone.half = static_cast<float>(std::max(high - middle, middle - low) * kMargin);
+}
+
+// Puts the cone of a leaf, whose points end at position `end` and whose ball is known, into its group.
+void put_cone(ShapeLeaves& s, std::size_t leaf, std::size_t end) {
+  ShapeLeaves::Cone c = cone_of(s, leaf * ShapeLeaves::kLeaf, end);
+  measure_slab(s, leaf, end, c);
+  float* to = s.cones.data() + leaf / 8 * 8 * ShapeLeaves::kConeFloats + leaf % 8;
+  for (const float v : {c.x, c.y, c.z, c.cosine, c.sine, c.middle, c.half}) {
+    *to = v;
+    to += 8;
+  }
+}
+
+void build_cones(ShapeIndex& s) {
+  s.cones.assign((s.in_leaf.size() + 7) / 8 * 8 * ShapeLeaves::kConeFloats, 0.0f);
+  for (std::size_t leaf = 0; leaf < s.in_leaf.size(); ++leaf)
+    put_cone(s, leaf, std::min(s.size, (leaf + 1) * ShapeLeaves::kLeaf));
+}
+
+// Adds a leaf of points that are about to be removed.
+void add_removed(ShapeIndex& index, std::span<const std::uint32_t> positions) {
+  RemovedPoints& r = index.removed;
+  const std::size_t leaf = r.epoch.size(), begin = leaf * ShapeLeaves::kLeaf;
+  r.epoch.push_back(index.epoch);
+  for (auto* v : {&r.x, &r.y, &r.z, &r.nx, &r.ny, &r.nz}) v->resize(begin + ShapeLeaves::kLeaf, kHole);
+  if (leaf % 8 == 0) {
+    if (r.balls.empty()) r.balls.emplace_back();
+    r.balls[0].resize((leaf / 8 + 1) * 32, kHole);
+    r.cones.resize((leaf / 8 + 1) * 8 * ShapeLeaves::kConeFloats, 0.0f);
+  }
+  auto box = Box3<Vec3>::none();
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    const std::size_t to = begin + k, from = positions[k];
+    r.x[to] = index.x[from];
+    r.y[to] = index.y[from];
+    r.z[to] = index.z[from];
+    r.nx[to] = index.nx[from];
+    r.ny[to] = index.ny[from];
+    r.nz[to] = index.nz[from];
+    box.add(r.position(to));
+  }
+  put_ball(r.balls[0], leaf, box);
+  put_cone(r, leaf, begin + positions.size());
 }
 
 // After this no shape comes near a leaf without points, or a ball without balls.
@@ -129,7 +189,7 @@ ShapeIndex::Range ShapeIndex::cell_around(std::size_t i, int level) const {
 
 ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::uint32_t> chosen, std::uint64_t epoch) {
   ShapeIndex s;
-  s.epoch = epoch;
+  s.epoch = s.built = epoch;
   const Points& p = points.points;
   std::vector<std::uint32_t> kept;
   auto box = Box3<Vec3>::none();
@@ -143,7 +203,6 @@ ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::
   const std::size_t leaves = (s.size + ShapeIndex::kLeaf - 1) / ShapeIndex::kLeaf;
   for (auto* v : {&s.x, &s.y, &s.z, &s.nx, &s.ny, &s.nz}) v->assign(leaves * ShapeIndex::kLeaf, kHole);
   s.in_leaf.assign(leaves, 0);
-  s.changed.assign(leaves, epoch);
   if (kept.empty()) return s;
   s.centre = 0.5 * (box.min + box.max);
   s.reach = 0.5 * norm(box.max - box.min);
@@ -164,20 +223,20 @@ ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::
     ++s.in_leaf[to / ShapeIndex::kLeaf];
     ++to;
   }
-  for (std::size_t leaf = 0; leaf < leaves; ++leaf)
-    s.cones.push_back(cone_of(s, leaf * ShapeIndex::kLeaf, std::min(s.size, (leaf + 1) * ShapeIndex::kLeaf)));
   build_balls(s);
+  build_cones(s);
   choose_levels(s);
   return s;
 }
 
 void take_out(ShapeIndex& index, std::span<const std::uint32_t> positions) {
   ++index.epoch;
+  for (std::size_t k = 0; k < positions.size(); k += ShapeLeaves::kLeaf)
+    add_removed(index, positions.subspan(k, std::min<std::size_t>(ShapeLeaves::kLeaf, positions.size() - k)));
   for (const std::uint32_t i : positions) {
     assert(!index.is_hole(i));
     index.x[i] = kHole;
     const std::size_t leaf = i / ShapeIndex::kLeaf;
-    index.changed[leaf] = index.epoch;
     if (--index.in_leaf[leaf] == 0) empty_ball(index, leaf);
   }
   index.left -= positions.size();

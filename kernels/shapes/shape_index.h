@@ -8,38 +8,51 @@
 
 namespace ilot {
 
+// Leaves of 64 points with normals, each with a ball around its points and a cone around its normals. Places without a
+// point are NaN.
+struct ShapeLeaves {
+  static constexpr std::uint32_t kLeaf = 64;
+  static constexpr std::size_t kConeFloats = 7;
+
+  // All normals of a leaf, in one sense or the other, are within an angle about its axis. Along the axis, all its
+  // points are at most half of its thickness from a middle, which is given from the centre of its ball.
+  struct Cone {
+    float x = 0, y = 0, z = 0;
+    float cosine = -1, sine = 0;  // of the angle; -1 and 0, and no axis, where the normals are not unit
+    float middle = 0, half = 0;
+  };
+
+  std::vector<float> x, y, z, nx, ny, nz;  // whole leaves
+  std::vector<std::vector<float>> balls;   // per level, groups of 8: x8 y8 z8 radius8
+  std::vector<float> cones;                // of leaves, in groups of 8: x8 y8 z8 cosine8 sine8 middle8 half8
+
+  Vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
+  Vec3 normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
+};
+
+// Points that were removed, in the order of their removal, with one level of balls. Leaves have points of one removal.
+struct RemovedPoints : ShapeLeaves {
+  std::vector<std::uint64_t> epoch;  // of each leaf: that which its removal began, ascending
+};
+
 // Points with normals in Morton order of their own box, under a hierarchy of bounding balls. 64 points are a leaf,
 // eight leaves are a node, and so on. Points can be removed. A removed point is a hole: its coordinates are NaN, so no
 // test finds it. A ball without points has the radius NaN, so no shape comes near it.
-struct ShapeIndex {
-  // All normals of a leaf, in one sense or the other, are within an angle about the axis. The cosine and sine are those
-  // of this angle.
-  struct Cone {
-    float x = 0, y = 0, z = 0;
-    float cosine = -1, sine = 0;  // of unit normals; -1 and 0 for other normals
-  };
-
-  static constexpr std::uint32_t kLeaf = 64;
-
-  std::vector<float> x, y, z, nx, ny, nz;  // whole leaves
-  std::vector<std::uint32_t> index;        // per position: index of the caller's point
+struct ShapeIndex : ShapeLeaves {
+  std::vector<std::uint32_t> index;  // per position: index of the caller's point
   std::vector<std::uint64_t>
       code;  // per position: Morton code from the box's corner; its step is a unit in boxes below 2^21 units
-  std::vector<std::uint32_t> in_leaf;     // per leaf: points that are left
-  std::vector<std::uint64_t> changed;     // per leaf: the epoch since which its points have not changed
-  std::vector<std::vector<float>> balls;  // per level, groups of 8: x8 y8 z8 radius8
-  std::vector<Cone> cones;                // per leaf
-  std::size_t size = 0;                   // number of positions, holes included
-  std::size_t left = 0;                   // number of points
-  std::uint64_t epoch = 1;                // grows whenever points are removed
-  Vec3 centre;                            // of the box
-  double reach = 0;                       // half its diagonal
+  std::vector<std::uint32_t> in_leaf;  // per leaf: points that are left
+  RemovedPoints removed;               // since it was built
+  std::size_t size = 0;                // number of positions, holes included
+  std::size_t left = 0;                // number of points
+  std::uint64_t epoch = 1, built = 1;  // grows whenever points are removed; when it was built
+  Vec3 centre;                         // of the box
+  double reach = 0;                    // half its diagonal
   int first_level = 0,
       levels = 0;  // octree levels that are useful for sampling: cells of 2^(first_level + i) steps of the codes
 
   bool is_hole(std::size_t i) const { return x[i] != x[i]; }
-  Vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
-  Vec3 normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
   // Returns the positions of the octree cell of edge 2^level steps around position i.
   struct Range {
     std::size_t begin, end;
@@ -54,7 +67,8 @@ struct ShapeIndex {
 ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::uint32_t> chosen,
                              std::uint64_t epoch = 1);
 
-// Removes the points at these positions, in a new epoch. O(positions).
+// Removes the points at these positions, in a new epoch, and lists them as removed. O(positions). The list is of most
+// use where they are in order.
 void take_out(ShapeIndex& index, std::span<const std::uint32_t> positions);
 
 }  // namespace ilot

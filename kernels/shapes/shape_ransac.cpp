@@ -8,6 +8,7 @@
 
 #include "kernels/core/portable_math.h"
 #include "kernels/core/rng.h"
+#include "kernels/neighbours/cluster_grid.h"
 #include "kernels/neighbours/clusters.h"
 #include "kernels/neighbours/morton.h"
 #include "kernels/shapes/shape_fit.h"
@@ -39,6 +40,8 @@ constexpr double kWorthRefining = 0.5;  // share of the best count
 // over the points: a cell took nine minutes without this limit.
 constexpr std::uint64_t kMostFailures = 1024;  // refinements of one search that may end without a shape
 
+constexpr std::uint32_t kNotSampled = 0xffffffffu;
+
 // A shape and the positions of its points among the remaining points.
 struct Part {
   Shape shape;
@@ -52,6 +55,7 @@ class Search {
     Indices all(points.points.size);
     std::iota(all.begin(), all.end(), 0u);
     all_ = build_shape_index(points, all);
+    grid_ = build_cluster_grid(remaining_points(), params.connectivity);
     max_radius_ = params.max_radius > 0 ? params.max_radius : 2 * all_.reach;
     needed_hits_ = -natural_log(1 - params.probability);
     rng_ = Rng(params.key);
@@ -85,6 +89,8 @@ class Search {
     for (std::size_t i = 0; i < all_.size; ++i)
       if (!all_.is_hole(i) && mix64(all_.code[i]) % stride == 0) chosen.push_back(all_.index[i]);
     sample_ = build_shape_index(points_, chosen);
+    in_sample_.assign(points_.points.size, kNotSampled);
+    for (std::uint32_t i = 0; i < sample_.size; ++i) in_sample_[sample_.index[i]] = i;
   }
   static std::size_t stride_for(std::size_t left) {
     std::size_t stride = 1;
@@ -169,8 +175,9 @@ class Search {
   Points remaining_points() const { return {all_.x.data(), all_.y.data(), all_.z.data(), all_.size}; }
 
   // Returns the connected component that shares most points with `like`, or the largest when `like` is empty.
-  Indices part_of(const Indices& members, const Indices& like) const {
-    const Clusters clusters = euclidean_clusters(remaining_points(), members, params_.connectivity);
+  Indices part_of(const Indices& members, const Indices& like) {
+    const Clusters clusters = grid_.empty() ? euclidean_clusters(remaining_points(), members, params_.connectivity)
+                                            : grid_clusters(grid_, remaining_points(), members, scratch_);
     Indices votes(clusters.count, 0);
     std::size_t at = 0;
     for (std::size_t i = 0; i < members.size(); ++i) {
@@ -188,7 +195,7 @@ class Search {
   bool allowed(const Shape& s) const { return s.radius <= max_radius_; }
 
   // Refines a shape. A part with fewer than min_points may be any part of the shape.
-  Part refine(const Shape& start) const {
+  Part refine(const Shape& start) {
     ShapeScoreParams wide = score_params();
     wide.epsilon *= kFirstReach;
     Part part{start, points_on_shape(all_, start, wide)};
@@ -217,20 +224,29 @@ class Search {
     return part;
   }
 
-  bool is_edge_strip(const Indices& members) const {
-    std::size_t explained = 0;
+  // Whether a point is on a shape that was found before, and its normal does not agree.
+  bool is_explained(std::uint32_t i, std::span<const std::size_t> near) const {
+    const Vec3 p = all_.position(i);
+    return std::any_of(near.begin(), near.end(), [&](std::size_t s) {
+      if (!extents_[s].contains(p)) return false;
+      const ShapeView v = view_of(result_.shapes[s].shape, p);
+      return std::abs(v.distance) <= params_.epsilon &&
+             std::abs(dot(v.normal, all_.normal(i))) < params_.min_cos;  // else another part of the same shape
+    });
+  }
+
+  bool is_edge_strip(const Indices& members, const Box3<Vec3>& extent) const {
+    std::vector<std::size_t> near;  // shapes found before
+    for (std::size_t s = 0; s < extents_.size(); ++s)
+      if (extents_[s].intersects(extent)) near.push_back(s);
+    const double enough = kExplained * static_cast<double>(members.size());
+    std::size_t explained = 0, left = members.size();
     for (const std::uint32_t i : members) {
-      const Vec3 p = all_.position(i);
-      for (std::size_t s = 0; s < extents_.size(); ++s) {
-        if (!extents_[s].grown(static_cast<double>(params_.connectivity)).contains(p)) continue;
-        const ShapeView v = view_of(result_.shapes[s].shape, p);
-        if (std::abs(v.distance) > params_.epsilon) continue;
-        if (std::abs(dot(v.normal, all_.normal(i))) >= params_.min_cos) continue;  // another part of the same shape
-        ++explained;
-        break;
-      }
+      if (static_cast<double>(explained + left) <= enough || static_cast<double>(explained) > enough) break;
+      explained += is_explained(i, near);
+      --left;
     }
-    return static_cast<double>(explained) > kExplained * static_cast<double>(members.size());
+    return static_cast<double>(explained) > enough;
   }
 
   // ---- taking -------------------------------------------------------------------------------------------------------
@@ -255,32 +271,29 @@ class Search {
   }
 
   void keep(const Part& part) {
-    if (!is_edge_strip(part.members)) {
-      auto extent = Box3<Vec3>::none();
+    auto extent = Box3<Vec3>::none();
+    for (const std::uint32_t i : part.members) extent.add(all_.position(i));
+    if (!is_edge_strip(part.members, extent)) {
       double squares = 0;
       const auto label = static_cast<std::uint32_t>(result_.shapes.size() + 1);
       for (const std::uint32_t i : part.members) {
-        const Vec3 p = all_.position(i);
-        extent.add(p);
-        const double d = view_of(part.shape, p).distance;
+        const double d = view_of(part.shape, all_.position(i)).distance;
         squares += d * d;
         result_.label[all_.index[i]] = label;
       }
       result_.shapes.push_back({part.shape, std::sqrt(squares / static_cast<double>(part.members.size())),
                                 static_cast<std::uint32_t>(part.members.size())});
-      extents_.push_back(extent);
+      extents_.push_back(extent.grown(static_cast<double>(params_.connectivity)));
     }
     remove(part.members);
   }
 
   void remove(const Indices& members) {
     if (sampled_) {
-      std::vector<char> gone(points_.points.size, 0);
-      for (const std::uint32_t i : members) gone[all_.index[i]] = 1;
-      Indices in_sample;
-      for (std::uint32_t i = 0; i < sample_.size; ++i)
-        if (!sample_.is_hole(i) && gone[sample_.index[i]] != 0) in_sample.push_back(i);
-      take_out(sample_, in_sample);
+      Indices sampled;
+      for (const std::uint32_t i : members)
+        if (const std::uint32_t at = in_sample_[all_.index[i]]; at != kNotSampled) sampled.push_back(at);
+      take_out(sample_, sampled);
     }
     take_out(all_, members);
     if (all_.left < all_.size / 2) compact();
@@ -291,10 +304,16 @@ class Search {
   }
 
   void compact() {
-    Indices left;
-    for (std::size_t i = 0; i < all_.size; ++i)
-      if (!all_.is_hole(i)) left.push_back(all_.index[i]);
+    Indices left, bin_of(grid_.empty() ? 0 : points_.points.size), bins;
+    for (std::size_t i = 0; i < all_.size; ++i) {
+      if (all_.is_hole(i)) continue;
+      left.push_back(all_.index[i]);
+      if (!grid_.empty()) bin_of[all_.index[i]] = grid_.bin[i];
+    }
     all_ = build_shape_index(points_, left, all_.epoch + 1);  // counts round anew
+    if (grid_.empty()) return;
+    for (const std::uint32_t i : all_.index) bins.push_back(bin_of[i]);
+    grid_ = narrowed_grid(grid_, bins);
   }
 
   // Bounds on one sample are not valid for another.
@@ -312,6 +331,9 @@ class Search {
   OrientedPoints points_;
   ShapeRansacParams params_;
   ShapeIndex all_, sample_;
+  Indices in_sample_;  // per point of the caller: its position in the sample
+  ClusterGrid grid_;   // of all_
+  ClusterScratch scratch_;
   bool sampled_ = false;
   double share_ = 1;  // points that one point of the sample represents
   double max_radius_ = 0;
@@ -321,7 +343,7 @@ class Search {
   double needed_hits_ = 0;
   double expected_hits_per_point_ = 0;  // sum over draws of the chance to hit a shape, per point of that shape
   ShapeSegments result_;
-  std::vector<Box3<Vec3>> extents_;
+  std::vector<Box3<Vec3>> extents_;  // of the shapes, grown by the connectivity
 };
 
 }  // namespace

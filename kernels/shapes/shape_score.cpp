@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <memory>
 
@@ -14,31 +15,15 @@ namespace {
 struct Request {
   simd::ShapeArgs args{};
   std::array<float, 9> shape{};
-  std::vector<const float*> balls;
+  std::array<const float*, 16> balls{};
   std::unique_ptr<std::uint32_t[]> leaves;
 
   std::span<const std::uint32_t> met() const { return {leaves.get(), args.leaf_count}; }
 };
 
-// Removes the leaves that have no normal within the angle of the plane's normal. For these the angle between it and the
-// axis of the leaf is at least the sum of both angles.
-void keep_agreeing(Request& r, const ShapeIndex& index, Vec3 normal, double min_cos) {
-  // Derived: above the rounding of packed normals, 1 / 32767.
-  constexpr double kRounding = 1e-3;  // of cosines, and of the lengths of normals
-  const double cosine = std::max(0.0, min_cos - kRounding), sine = std::sqrt(1 - cosine * cosine);
-  std::uint32_t left = 0;
-  for (const std::uint32_t leaf : r.met()) {
-    const ShapeIndex::Cone& cone = index.cones[leaf];
-    const double least = cosine * static_cast<double>(cone.cosine) - sine * static_cast<double>(cone.sine) - kRounding;
-    r.leaves[left] = leaf;
-    left += std::abs(dot(normal, {cone.x, cone.y, cone.z})) >= least;
-  }
-  r.args.leaf_count = left;
-}
-
 // Prepares a shape in float32. Its origin is moved near the points where that does not change the shape. The slack is
 // what rounding may add to a distance: a few units in the last place of the longest vector.
-void prepare(Request& r, const ShapeIndex& index, const Shape& s, const ShapeScoreParams& params) {
+void prepare_shape(Request& r, const ShapeIndex& index, const Shape& s, const ShapeScoreParams& params) {
   Vec3 origin = s.origin;
   const double along = dot(index.centre - origin, s.axis);
   if (s.kind == ShapeKind::kPlane) origin = index.centre - along * s.axis;
@@ -46,27 +31,57 @@ void prepare(Request& r, const ShapeIndex& index, const Shape& s, const ShapeSco
   r.shape = {static_cast<float>(origin.x), static_cast<float>(origin.y), static_cast<float>(origin.z),
              static_cast<float>(s.axis.x), static_cast<float>(s.axis.y), static_cast<float>(s.axis.z),
              static_cast<float>(s.radius), static_cast<float>(s.sine),   static_cast<float>(s.cosine)};
+  // Derived: above the rounding of packed normals, 1 / 32767.
+  constexpr double kRounding = 1e-3;  // of cosines, and of the lengths of normals
+  const double cosine = std::max(0.0, params.min_cos - kRounding);
   const double longest = norm(index.centre) + index.reach + norm(index.centre - origin) + s.radius;
-  for (const auto& level : index.balls) r.balls.push_back(level.data());
-  r.leaves = std::make_unique_for_overwrite<std::uint32_t[]>(index.in_leaf.size() + 8);
-  r.args = {index.x.data(),
-            index.y.data(),
-            index.z.data(),
-            index.nx.data(),
-            index.ny.data(),
-            index.nz.data(),
-            r.balls.data(),
-            static_cast<int>(r.balls.size()),
-            r.shape.data(),
-            static_cast<int>(s.kind),
-            static_cast<float>(params.epsilon),
-            static_cast<float>(params.min_cos),
-            static_cast<float>(longest * 0x1p-19),
-            r.leaves.get(),
-            0,
-            nullptr};
-  if (index.size > 0) r.args.leaf_count = simd::kShapeScore.best().shape_leaves(r.args);
-  if (s.kind == ShapeKind::kPlane) keep_agreeing(r, index, s.axis, params.min_cos);
+  r.args.shape = r.shape.data();
+  r.args.kind = static_cast<int>(s.kind);
+  r.args.max_distance = static_cast<float>(params.epsilon);
+  r.args.min_cos = static_cast<float>(params.min_cos);
+  r.args.slack = static_cast<float>(longest * 0x1p-19);
+  r.args.angle_cosine = static_cast<float>(cosine);
+  r.args.angle_sine = static_cast<float>(std::sqrt(1 - cosine * cosine));
+  r.args.cosine_rounding = static_cast<float>(kRounding);
+}
+
+// Finds the leaves near the shape. Where there is one level of balls, groups of them before `first` are left out.
+void find_leaves(Request& r, const ShapeLeaves& points, std::size_t first = 0) {
+  const std::size_t leaves = points.x.size() / ShapeLeaves::kLeaf;
+  r.leaves = std::make_unique_for_overwrite<std::uint32_t[]>(leaves + 8);
+  r.args.x = points.x.data();
+  r.args.y = points.y.data();
+  r.args.z = points.z.data();
+  r.args.nx = points.nx.data();
+  r.args.ny = points.ny.data();
+  r.args.nz = points.nz.data();
+  assert(points.balls.size() <= r.balls.size());
+  for (std::size_t level = 0; level < points.balls.size(); ++level) r.balls[level] = points.balls[level].data();
+  r.args.balls = r.balls.data();
+  r.args.levels = static_cast<int>(points.balls.size());
+  r.args.cones = points.cones.data();
+  r.args.first_group = static_cast<std::uint32_t>(first);
+  r.args.groups = static_cast<std::uint32_t>((leaves + 7) / 8);
+  r.args.leaves = r.leaves.get();
+  r.args.leaf_count = leaves > 0 ? simd::kShapeScore.best().shape_leaves(r.args) : 0;
+}
+
+void prepare(Request& r, const ShapeIndex& index, const Shape& s, const ShapeScoreParams& params) {
+  prepare_shape(r, index, s, params);
+  find_leaves(r, index);
+}
+
+// Counts the points on the shape among those that were removed after an epoch.
+std::uint32_t removed_hits(Request& r, const RemovedPoints& removed, std::uint64_t epoch) {
+  const auto first = static_cast<std::uint32_t>(std::upper_bound(removed.epoch.begin(), removed.epoch.end(), epoch) -
+                                                removed.epoch.begin());
+  if (first == removed.epoch.size()) return 0;
+  find_leaves(r, removed, first / 8);
+  while (r.args.leaf_count > 0 && *r.args.leaves < first) {
+    ++r.args.leaves;
+    --r.args.leaf_count;
+  }
+  return simd::kShapeScore.best().shape_hits(r.args);
 }
 
 bool may_hold(const Box3<Vec3>& box, const ShapeIndex& index, std::uint32_t leaf) {
@@ -122,9 +137,9 @@ std::uint32_t score_shape(const ShapeIndex& index, const Shape& shape, const Sha
 std::uint32_t recount_shape(const ShapeIndex& index, const Shape& shape, const ShapeScoreParams& params,
                             ShapeCount before, std::uint32_t least) {
   Request r;
-  prepare(r, index, shape, params);
-  const auto as_before = [&](std::uint32_t leaf) { return index.changed[leaf] <= before.epoch; };
-  if (before.epoch > 0 && std::all_of(r.met().begin(), r.met().end(), as_before)) return before.points;
+  prepare_shape(r, index, shape, params);
+  if (before.epoch >= index.built) return before.points - removed_hits(r, index.removed, before.epoch);
+  find_leaves(r, index);
   const std::uint32_t bound = points_in(index, r.met());
   return bound < least ? bound : simd::kShapeScore.best().shape_hits(r.args);
 }

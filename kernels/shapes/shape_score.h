@@ -29,8 +29,8 @@ struct ShapeCount {
   std::uint64_t epoch = 0;
 };
 
-// Returns the result of score_shape, and uses the count from before. Nothing is counted where no leaf near the shape
-// has changed since. A result below `least` is only an upper bound.
+// Returns the result of score_shape. From the count before, if there is one and the index was not built since, it takes
+// the points that were removed since. A result below `least` may be only an upper bound.
 std::uint32_t recount_shape(const ShapeIndex& index, const Shape& shape, const ShapeScoreParams& params,
                             ShapeCount before, std::uint32_t least);
 

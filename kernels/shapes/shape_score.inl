@@ -65,6 +65,34 @@ inline std::uint32_t near_balls(const ShapeLanes<F8>& s, const float* group, F8 
   return mask_le(shape_distance<kKind>(s, a), load8(group + 24) + margin);
 }
 
+// Leaves that may have points near the plane with normals that agree. For others the angle between the plane's normal
+// and the axis of the leaf is at least the sum of both angles, or all points are too far away. A point's offset from
+// the centre of the ball of the leaf has a part along the axis, within its slab, and a rest that is at most the radius.
+inline std::uint32_t agreeing_leaves(const ShapeLanes<F8>& s, const ShapeArgs& args, std::uint32_t group) {
+  // Derived: twice the rounding of the square of a cosine in float32.
+  constexpr float kSquareRounding = 2e-6f;
+  const float *ball = args.balls[0] + std::size_t{32} * group, *cone = args.cones + std::size_t{56} * group;
+  const F8 centre = across<0>(s, load8(ball), load8(ball + 8), load8(ball + 16)).along;
+  const F8 along = load8(cone) * s.ux + load8(cone + 8) * s.uy + load8(cone + 16) * s.uz, cosine = magnitude(along);
+  const F8 least = splat(args.angle_cosine) * load8(cone + 24) - splat(args.angle_sine) * load8(cone + 32) -
+                   splat(args.cosine_rounding);
+  const F8 sine = root(max8(splat(0), splat(1) - along * along) + splat(kSquareRounding));
+  // The slack twice: that of the test in float32, and that of points_on_shape, which looks as much farther.
+  const F8 reach = splat(args.max_distance + 2 * args.slack) + cosine * load8(cone + 48) + sine * load8(ball + 24);
+  return mask_le(least, cosine) & mask_le(magnitude(centre + along * load8(cone + 40)), reach);
+}
+
+template <int kKind>
+inline std::uint32_t add_leaves(const ShapeLanes<F8>& s, const ShapeArgs& args, std::uint32_t group, F8 margin,
+                                std::uint32_t count) {
+  std::uint32_t near = near_balls<kKind>(s, args.balls[0] + std::size_t{32} * group, margin);
+  if constexpr (kKind == 0)
+    if (near != 0) near &= agreeing_leaves(s, args, group);
+  const Pick8 leaves = pick8(near);
+  put_numbers(args.leaves + count, leaves, group * 8);
+  return count + leaves.count;
+}
+
 template <int kKind>
 inline std::uint32_t collect_balls(const ShapeArgs& args) {
   const ShapeLanes<F8> s = load_shape(args.shape);
@@ -73,8 +101,12 @@ inline std::uint32_t collect_balls(const ShapeArgs& args) {
     std::uint32_t group, members;  // mask still to visit
   };
   Pending stack[16];
-  std::uint32_t count = 0;
   int level = args.levels - 1;
+  std::uint32_t count = 0;
+  if (level == 0) {
+    for (std::uint32_t g = args.first_group; g < args.groups; ++g) count = add_leaves<kKind>(s, args, g, margin, count);
+    return count;
+  }
   stack[level] = {0, near_balls<kKind>(s, args.balls[level], margin)};
   while (level < args.levels) {
     Pending& top = stack[level];
@@ -84,8 +116,8 @@ inline std::uint32_t collect_balls(const ShapeArgs& args) {
     }
     const std::uint32_t ball = top.group * 8 + static_cast<std::uint32_t>(__builtin_ctz(top.members));
     top.members &= top.members - 1;
-    if (level == 0) {
-      args.leaves[count++] = ball;
+    if (level == 1) {
+      count = add_leaves<kKind>(s, args, ball, margin, count);
     } else {
       --level;
       stack[level] = {ball, near_balls<kKind>(s, args.balls[level] + std::size_t{32} * ball, margin)};
@@ -121,8 +153,8 @@ inline std::uint32_t list_hits(const ShapeArgs& args) {
     for (std::size_t j = begin; j < begin + 64; j += 8) {
       const auto a = across<kKind>(s, load8(args.x + j), load8(args.y + j), load8(args.z + j));
       const F8 agreement = shape_agreement<kKind>(s, a, load8(args.nx + j), load8(args.ny + j), load8(args.nz + j));
-      const Pick8 hits = pick8(mask_le(shape_distance<kKind>(s, a), epsilon) &
-                               mask_le(least_agreement<kKind>(cosine, a), agreement));
+      const Pick8 hits =
+          pick8(mask_le(shape_distance<kKind>(s, a), epsilon) & mask_le(least_agreement<kKind>(cosine, a), agreement));
       put_numbers(args.found + found, hits, static_cast<std::uint32_t>(j));
       found += hits.count;
     }

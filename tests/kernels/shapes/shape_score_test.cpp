@@ -84,22 +84,25 @@ TEST(ShapeScore, CullingAndInstructionSetsDoNotShow) {
                          f(s.axis.z), f(s.radius), f(s.sine),   f(s.cosine)};
     for (const simd::Isa isa : simd::kIsas) {
       if (!simd::has_isa(isa)) continue;
-      simd::ShapeArgs args{index.x.data(),
-                           index.y.data(),
-                           index.z.data(),
-                           index.nx.data(),
-                           index.ny.data(),
-                           index.nz.data(),
-                           balls.data(),
-                           static_cast<int>(balls.size()),
-                           shape,
-                           static_cast<int>(s.kind),
-                           25,
-                           0.9f,
-                           1,
-                           culled.data(),
-                           0,
-                           nullptr};
+      simd::ShapeArgs args{};
+      args.x = index.x.data();
+      args.y = index.y.data();
+      args.z = index.z.data();
+      args.nx = index.nx.data();
+      args.ny = index.ny.data();
+      args.nz = index.nz.data();
+      args.balls = balls.data();
+      args.levels = static_cast<int>(balls.size());
+      args.cones = index.cones.data();
+      args.shape = shape;
+      args.kind = static_cast<int>(s.kind);
+      args.max_distance = 25;
+      args.min_cos = 0.9f;
+      args.slack = 1;
+      args.angle_cosine = 0.89f;
+      args.angle_sine = 0.46f;
+      args.cosine_rounding = 0.001f;
+      args.leaves = culled.data();
       args.leaf_count = simd::kShapeScore.of(isa).shape_leaves(args);
       EXPECT_EQ(simd::kShapeScore.of(isa).shape_hits(args), counted) << simd::name_of(isa);
       args.leaves = every.data();

@@ -53,14 +53,15 @@ void measure(const RaySamples& samples, Piece& piece) {
     squares += off * off;
   }
   piece.rms = std::sqrt(squares / count);
-  const auto place = [&](double Place2::*axis, double share) {
-    const ValueStream places = [&](const std::function<void(double)>& take) {
-      for (const Ray& ray : rays_of(samples, piece)) take(samples.crossing(ray, piece.w).*axis);
-    };
-    return nth_value(places, piece.points, static_cast<std::uint64_t>(share * (count - 1)));
+  const PlaceStream places = [&](const std::function<void(double, double)>& take) {
+    for (const Ray& ray : rays_of(samples, piece)) {
+      const Place2 place = samples.crossing(ray, piece.w);
+      take(place.u, place.v);
+    }
   };
-  piece.box = {place(&Place2::u, kTailOfPiece), place(&Place2::u, 1 - kTailOfPiece), place(&Place2::v, kTailOfPiece),
-               place(&Place2::v, 1 - kTailOfPiece)};
+  const auto rank = [&](double share) { return static_cast<std::uint64_t>(share * (count - 1)); };
+  const auto [u, v] = nth_places(places, piece.points, {rank(kTailOfPiece), rank(1 - kTailOfPiece)});
+  piece.box = {u[0], u[1], v[0], v[1]};
 }
 
 bool in_line(const Piece& a, const Piece& b) {

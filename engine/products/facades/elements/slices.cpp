@@ -132,17 +132,17 @@ Box2 whole_extent(const RaySamples& samples, const SliceRange& range, const Faca
                   const SliceParams& params) {
   if (slice.level == 0) return slice.extent;
   const Cuts cuts(samples, range, params);
-  const auto place = [&](float FacadePoint::*axis, double share) {
-    const ValueStream places = [&](const std::function<void(double)>& take) {
-      for (const Ray& ray : samples.near(cuts.around()))
-        cuts.of(ray, [&](std::int64_t cut) {
-          if (cuts.w(cut) == slice.w) take(ray.at.*axis);
-        });
-    };
-    return nth_value(places, slice.points, static_cast<std::uint64_t>(share * static_cast<double>(slice.points - 1)));
+  const PlaceStream places = [&](const std::function<void(double, double)>& take) {
+    for (const Ray& ray : samples.near(cuts.around()))
+      cuts.of(ray, [&](std::int64_t cut) {
+        if (cuts.w(cut) == slice.w) take(ray.at.u, ray.at.v);
+      });
   };
-  return {place(&FacadePoint::u, kTailOfCut), place(&FacadePoint::u, 1 - kTailOfCut),
-          place(&FacadePoint::v, kTailOfCut), place(&FacadePoint::v, 1 - kTailOfCut)};
+  const auto rank = [&](double share) {
+    return static_cast<std::uint64_t>(share * static_cast<double>(slice.points - 1));
+  };
+  const auto [u, v] = nth_places(places, slice.points, {rank(kTailOfCut), rank(1 - kTailOfCut)});
+  return {u[0], u[1], v[0], v[1]};
 }
 
 std::optional<FacadeSlice> end_slice(std::span<const FacadeSlice> slices) {

@@ -267,7 +267,7 @@ bool wants_curved(const PlanesSettings& settings, double step_m) {
 }
 
 std::uint64_t bytes_per_point(std::optional<PlaneMethod> method) {
-  constexpr std::uint64_t kShapes = 128, kGrown = 104, kOthers = 80;  // measured: 110, 95, 62
+  constexpr std::uint64_t kShapes = 208, kGrown = 104, kOthers = 80;  // measured: 190, 95, 62
   const PlaneMethod largest = method.value_or(PlaneMethod::shape_ransac);
   if (largest == PlaneMethod::shape_ransac) return kShapes;
   return grows(largest) ? kGrown : kOthers;

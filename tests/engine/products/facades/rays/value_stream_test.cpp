@@ -34,5 +34,26 @@ TEST(ValueStream, TheSameAsSorting) {
     }
 }
 
+// Both coordinates and both ranks at once: the same as each alone.
+TEST(ValueStream, PlacesAsValues) {
+  Rng rng(10);
+  for (const std::size_t count : {1u, 2u, 32768u, 32769u, 200000u}) {
+    std::vector<std::array<double, 2>> places(count);
+    for (auto& p : places) p = {rng.uniform(), std::floor(3 * rng.uniform())};
+    const PlaceStream stream = [&](const std::function<void(double, double)>& take) {
+      for (const auto& p : places) take(p[0], p[1]);
+    };
+    const std::array<std::uint64_t, 2> ranks{(count - 1) / 200, count - 1 - (count - 1) / 200};
+    const auto got = nth_places(stream, count, ranks);
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      for (std::size_t r = 0; r < 2; ++r) {
+        const ValueStream one = [&](const std::function<void(double)>& take) {
+          for (const auto& p : places) take(p[axis]);
+        };
+        EXPECT_EQ(got[axis][r], nth_value(one, count, ranks[r])) << count << " " << axis << " " << r;
+      }
+  }
+}
+
 }  // namespace
 }  // namespace ilot
