@@ -32,9 +32,9 @@ struct TreeSamples {
 // before the round. Each tree is learnt level by level. A node is split where the gain is greatest (ties: the lower
 // column, then the lower limit), or not at all where there is no gain. Gradients are integer multiples of 2^-20 and are
 // summed as such, so the order of the rows and the number of threads do not matter. Limits that no tree uses are left
-// out. Rows are drawn by a hash of their bins, the round and the class, so equal rows are drawn together. A class without
-// rows is never predicted. O(rounds classes depth (rows + counted rows columns)) at most, because of two nodes only the
-// smaller one is counted. Memory is about columns + 20 classes bytes per row.
+// out. Rows are drawn by a hash of their bins, the round and the class, so equal rows are drawn together. A class
+// without rows is never predicted. O(rounds classes depth (rows + counted rows columns)) at most, because of two nodes
+// only the smaller one is counted. Memory is about columns + 20 classes bytes per row.
 BoostedTrees boost_trees(const TreeSamples& samples, const TreeBoostingParams& params = {});
 
 }  // namespace ilot
