@@ -363,10 +363,9 @@ std::vector<FoundRectangle> find_openings(const RaySamples& samples, const Openi
   for_each_region(
       cells, [&](std::size_t i) { return cells.what[i] == kThrough; },
       [&](const CellRegion& region) {
-        const std::vector<CellRegion> parts = parts_of_region(seen, region, params.least_size, width);
-        for (const CellRegion& part : parts)  // what was joined over a pier is no opening beside its parts
+        for (const RegionPart& part : parts_of_region(seen, region, params.least_size, width))
           if (const std::optional<FoundRectangle> opening =
-                  opening_in(samples, parts.size() > 1 ? seen : cells, part, silent, through, params))
+                  opening_in(samples, part.at_pier ? seen : cells, part.region, silent, through, params))
             found.push_back(*opening);
       });
   add_shallow_openings(find_shallow_openings(samples, seen, params), found);

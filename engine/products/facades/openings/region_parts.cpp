@@ -44,9 +44,12 @@ RegionLines lines_of(const WallCells& cells, const CellRegion& region, bool upri
     }
   for (const std::int64_t i : region.cells) {
     const std::int64_t c = i % cells.columns, r = i / cells.columns;
-    if (upright && cells.at(c, r) == WallCells::kRelief) continue;  // leaves on a pier, over which cells were joined
-    if (c >= box.c0 && c <= box.c1 && r >= box.r0 && r <= box.r1)
-      ++lines.region[static_cast<std::size_t>((upright ? c : r) - lines.first)];
+    if (c < box.c0 || c > box.c1 || r < box.r0 || r > box.r1) continue;
+    const auto k = static_cast<std::size_t>((upright ? c : r) - lines.first);
+    // Leaves on a pier, over which cells were joined. Across a window they are bars and rails.
+    const bool relief = cells.at(c, r) == WallCells::kRelief;
+    lines.region[k] += !(upright && relief);
+    lines.wall[k] -= !upright && relief;
   }
   return lines;
 }
@@ -77,19 +80,23 @@ std::optional<std::int64_t> cut_of(const RegionLines& lines, const CellBox& box,
   return std::nullopt;
 }
 
-void add_parts(const WallCells& cells, CellRegion region, const PartSizes& sizes, bool upright,
-               std::vector<CellRegion>& parts) {
+void add_parts(const WallCells& cells, RegionPart part, const PartSizes& sizes, bool upright,
+               std::vector<RegionPart>& parts) {
+  const CellRegion& region = part.region;
   const std::optional<std::int64_t> cut =
       cut_of(lines_of(cells, region, upright), box_of(region, cells.columns), sizes, upright);
   if (!cut) {
-    if (upright) return add_parts(cells, std::move(region), sizes, false, parts);
-    parts.push_back(std::move(region));
+    if (upright) return add_parts(cells, std::move(part), sizes, false, parts);
+    parts.push_back(std::move(part));
     return;
   }
-  CellRegion low, high;
+  RegionPart low{{}, part.at_pier}, high = low;
   for (const std::uint32_t i : region.cells) {
     const std::int64_t line = upright ? i % cells.columns : i / cells.columns;
-    if (line != *cut) (line < *cut ? low : high).cells.push_back(i);
+    if (line != *cut)
+      (line < *cut ? low : high).region.cells.push_back(i);
+    else if (upright && cells.what[i] == WallCells::kRelief)
+      low.at_pier = high.at_pier = true;
   }
   add_parts(cells, std::move(low), sizes, true, parts);
   add_parts(cells, std::move(high), sizes, true, parts);
@@ -144,13 +151,13 @@ double pier_width(const RaySamples& samples, double cell, const CellBox& box, st
   return reach_of(left, density, step) + reach_of(right, density, step);
 }
 
-std::vector<CellRegion> parts_of_region(const WallCells& cells, const CellRegion& region, double least,
+std::vector<RegionPart> parts_of_region(const WallCells& cells, const CellRegion& region, double least,
                                         const WidthOfWall& width) {
   const auto pier = static_cast<std::int64_t>(kWidestBar / cells.cell) + 1;
   const PartSizes sizes{std::max<std::int64_t>(1, static_cast<std::int64_t>(least / cells.cell)), pier,
                         std::max<std::int64_t>(1, pier - kPartCells), width};
-  std::vector<CellRegion> parts;
-  add_parts(cells, region, sizes, true, parts);
+  std::vector<RegionPart> parts;
+  add_parts(cells, {region, false}, sizes, true, parts);
   return parts;
 }
 

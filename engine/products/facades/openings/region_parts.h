@@ -19,13 +19,19 @@ using WidthOfWall = std::function<double(const CellBox& box, std::int64_t column
 // the rays there.
 double pier_width(const RaySamples& samples, double cell, const CellBox& box, std::int64_t column);
 
+// A part of a region; `at_pier`: it was cut off at a pier over whose leaves cells had been joined.
+struct RegionPart {
+  CellRegion region;
+  bool at_pier = false;
+};
+
 // Cuts a region between two stretches of at least `least` metres in which it takes half of each column (then of each
 // row), where it does not in a strip wider than a bar, and wall, or what lies flat on it, takes half of a column there.
 // Arched heads, which become narrower and do not become wide again, are not cut. The parts come in order of their
 // place. `cells` are as the rays show them: what lies flat on a pier does not belong to the region although cells were
 // joined over it. An upright strip that its cells do not tell from a bar is measured by `width`, where it is given:
 // walls between storeys are higher. O(cells of the box).
-std::vector<CellRegion> parts_of_region(const WallCells& cells, const CellRegion& region, double least,
+std::vector<RegionPart> parts_of_region(const WallCells& cells, const CellRegion& region, double least,
                                         const WidthOfWall& width = {});
 
 }  // namespace ilot

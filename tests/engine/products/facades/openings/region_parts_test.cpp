@@ -19,7 +19,7 @@ std::vector<CellRegion> parts_where(const Open& open, const WidthOfWall& width =
   for_each_region(
       cells, [&](std::size_t i) { return cells.what[i] == WallCells::kThrough; },
       [&](const CellRegion& region) {
-        for (CellRegion& part : parts_of_region(cells, region, 0.3, width)) parts.push_back(std::move(part));
+        for (RegionPart& part : parts_of_region(cells, region, 0.3, width)) parts.push_back(std::move(part.region));
       });
   return parts;
 }
@@ -69,7 +69,9 @@ TEST(RegionParts, WhatLiesOnAPierIsNoPartOfTheRegion) {
       seen.at(c, r) = within(c, r, 30, 35, 10, 40) ? WallCells::kRelief : WallCells::kThrough;
       region.cells.push_back(static_cast<std::uint32_t>(r * 80 + c));
     }
-  EXPECT_EQ(parts_of_region(seen, region, 0.3).size(), 2u);
+  const auto parts = parts_of_region(seen, region, 0.3);
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_TRUE(parts[0].at_pier && parts[1].at_pier);
 }
 
 TEST(RegionParts, BarsAndArchesAreNotCut) {
