@@ -17,6 +17,7 @@
 #include "engine/products/facades/facade_proofs.h"
 #include "engine/products/facades/rays/registration_error.h"
 #include "engine/products/facades/same_openings.h"
+#include "engine/products/facades/screens.h"
 #include "engine/products/facades/wall_pieces.h"
 #include "engine/products/facades/wall_reach.h"
 #include "engine/products/facades/wall_sides.h"
@@ -37,6 +38,8 @@ constexpr const char* kOutlinesDropped =
     "facades: the {} smallest planes are not held against lines of sight; occluded shares may be too small";
 constexpr const char* kNoStations =
     "facades: no station is known (see --stations): laser shadows cannot be distinguished from openings by their rays";
+constexpr const char* kScreens =
+    "facades: {} before a wall let many rays through to it and {} not drawn: scaffolds or fences";
 constexpr const char* kUndecidedSide =
     "facades: which side is the street is not certain for {} of {}, which are drawn from the likelier side; "
     "--set facades.side=[N] turns N: {}";
@@ -309,8 +312,13 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   const StreetSides sides{run->stations, middle, odds};
   run->walls = find_walls(pieces.segments, sides, params, pieces.ends);
   find_sparse_parts(work, run->walls, params, context);
-  std::erase_if(run->walls, [&](const WallGroup& wall) { return !is_wanted(wall, store.unit(), context); });
   work.recorded = run->stations.size() > 1 && write_station_column(store, inputs, context, progress, record);
+  const auto wanted = [&](const WallGroup& wall) { return is_wanted(wall, store.unit(), context); };
+  const std::vector<WallGroup> screens = take_screens(work, wanted, run->walls);
+  if (!screens.empty())
+    record.warnings.push_back(
+        fmt::format(kScreens, counted(screens.size(), "sheet"), screens.size() == 1 ? "is" : "are"));
+  std::erase_if(run->walls, [&](const WallGroup& wall) { return !wanted(wall); });
   FacadeEditStep edits(inputs.edits, run->walls, context, store.unit(), EditTally(progress, record));
   settle_sides(run->walls, settings.facades, context.metres_per_unit, progress, record);
   const std::vector<std::vector<WallGroup>> dormers =
@@ -331,8 +339,10 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   for (WallGroup& wall : run->walls) include_sparse_parts(wall, context.metres_per_unit);
   drop_same_openings(run->found, context.metres_per_unit);
   edits.edit(run->found);
-  join_facades(run->found, small_walls(run->walls, pieces.segments, sides, params, pieces.ends),
-               settings.facades.advanced, context.metres_per_unit);
+  std::vector<WallGroup> known = run->walls;
+  known.insert(known.end(), screens.begin(), screens.end());
+  join_facades(run->found, small_walls(known, pieces.segments, sides, params, pieces.ends), settings.facades.advanced,
+               context.metres_per_unit);
   for (std::size_t i = 0; i < run->found.size(); ++i) run->found[i].facade.id = static_cast<std::uint32_t>(i + 1);
   if (planes.outlines.dropped() > 0)
     record.warnings.push_back(fmt::format(kOutlinesDropped, grouped(planes.outlines.dropped())));

@@ -356,12 +356,16 @@ std::vector<FoundRectangle> find_openings(const RaySamples& samples, const Openi
       for (const std::uint32_t i : hole.region.cells) silent[i] = seen.what[i] == kUnknown, seen.what[i] = kThrough;
   const WallCells cells = filled(seen, params.shadow);
   if (steps != nullptr) steps->filled = cells;
+  const WidthOfWall width = [&](const CellBox& box, std::int64_t column) {
+    return pier_width(samples, cells.cell, box, column);
+  };
   std::vector<FoundRectangle> found;
   for_each_region(
       cells, [&](std::size_t i) { return cells.what[i] == kThrough; },
       [&](const CellRegion& region) {
-        for (const CellRegion& part : parts_of_region(cells, region, params.least_size))
-          if (const std::optional<FoundRectangle> opening = opening_in(samples, cells, part, silent, through, params))
+        for (const RegionPart& part : parts_of_region(seen, region, params.least_size, width))
+          if (const std::optional<FoundRectangle> opening =
+                  opening_in(samples, part.at_pier ? seen : cells, part.region, silent, through, params))
             found.push_back(*opening);
       });
   add_shallow_openings(find_shallow_openings(samples, seen, params), found);
