@@ -12,15 +12,15 @@
 namespace ilot {
 namespace {
 
-// Choice: from so many samples on, held-out streets lose nothing by sampling, and deeper trees do not know the samples
-// too well. They are some hundred streets.
+// Choice: from so many samples on, held-out streets lose nothing by sampling, and deeper trees do not overfit. They are
+// some hundred streets.
 constexpr std::size_t kManySamples = 100'000;
 // Choice: one level more than for classes, as there are a hundred times more samples; with many streets two.
 constexpr std::size_t kRoleDepth = 5, kDeepRoleDepth = 6;  // of a tree
 // Choice: more and smaller steps, at the cost of a third more trees.
 constexpr std::size_t kManyRounds = 200;
 constexpr double kSmallStep = 0.1;  // factor of what a tree adds
-// Choice: as in Ke et al. (2017), about a tenth of the rows that are not steep.
+// Choice: as in Ke et al. (2017), a tenth of all rows are drawn from those without a large gradient.
 constexpr std::uint32_t kDrawnOf = 8;
 
 TreeBoostingParams boosting_of(std::size_t samples) {
@@ -51,7 +51,8 @@ StageSamples stage_samples(const ChosenSamples& chosen, std::span<const KindShar
   return out;
 }
 
-ColumnTrees train_stage(const ChosenSamples& chosen, std::span<const KindShares> said_of_all) {
+ColumnTrees train_stage(const ChosenSamples& chosen, std::span<const KindShares> said_of_all,
+                        const TreeBoostingParams& params) {
   const StageSamples from = stage_samples(chosen, said_of_all);
   ColumnTrees stage;
   for (std::size_t c = 0; c < (from.predicted.empty() ? kCandidateFeatures : kRoleColumns); ++c)
@@ -61,20 +62,21 @@ ColumnTrees train_stage(const ChosenSamples& chosen, std::span<const KindShares>
   const std::vector<CandidateRelations> relations = candidate_relations(from.features, from.parts);
   const std::vector<double> rows =
       role_rows(stage.columns, {from.features, relations, from.predicted}, 0, from.features.size());
-  stage.trees = boost_trees({stage.columns.size(), kCandidateKinds, rows, kinds}, boosting_of(kinds.size()));
+  stage.trees = boost_trees({stage.columns.size(), kCandidateKinds, rows, kinds}, params);
   return only_used(std::move(stage));
 }
 
 // Returns the result of a stage for each sample, trained on the other folds.
 std::vector<KindShares> held_out(std::span<const TrainingSample> all, const TrainingFolds& folds,
-                                 std::span<const KindShares> said_of_all) {
+                                 std::span<const KindShares> said_of_all, const TreeBoostingParams& params) {
   std::vector<KindShares> out(all.size());
   for (std::uint32_t fold = 0; fold < folds.count(); ++fold) {
     const ChosenSamples others = choose(all, folds, fold, Chosen::of_others);
     const ChosenSamples own = choose(all, folds, fold, Chosen::of_fold);
     if (others.samples.empty()) continue;
     const StageSamples asked = stage_samples(own, said_of_all);
-    const auto predicted = stage_shares(train_stage(others, said_of_all), asked.features, asked.parts, asked.predicted);
+    const auto predicted =
+        stage_shares(train_stage(others, said_of_all, params), asked.features, asked.parts, asked.predicted);
     for (std::size_t i = 0; i < predicted.size(); ++i) out[own.places[i]] = predicted[i];
   }
   return out;
@@ -112,13 +114,14 @@ RoleWeights weights_of(std::span<const TrainingSample> all, const std::vector<Ki
 LearntRoles learn_roles(std::span<const TrainingSample> samples, const TrainingFolds& folds) {
   const TrainingFolds one(samples, 1);
   const ChosenSamples everything = choose(samples, one, 0, Chosen::of_fold);
+  const TreeBoostingParams params = boosting_of(samples.size());  // also for the folds
   LearntRoles out;
-  out.trees.stages[0] = train_stage(everything, {});
-  const std::vector<KindShares> first = held_out(samples, folds, {});
-  out.trees.stages[1] = train_stage(everything, first);
+  out.trees.stages[0] = train_stage(everything, {}, params);
+  const std::vector<KindShares> first = held_out(samples, folds, {}, params);
+  out.trees.stages[1] = train_stage(everything, first, params);
   const bool joined =
       std::any_of(samples.begin(), samples.end(), [](const TrainingSample& s) { return s.parts[0] != 0; });
-  if (joined && folds.by_group()) out.weights = weights_of(samples, held_out(samples, folds, first));
+  if (joined && folds.by_group()) out.weights = weights_of(samples, held_out(samples, folds, first, params));
   return out;
 }
 

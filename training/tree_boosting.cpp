@@ -17,8 +17,8 @@ constexpr double kSlopeUnit = 0x1p-20;  // unit of gradients and curvatures
 constexpr std::size_t kMostBins = 256;
 constexpr double kMostStep = 8;       // largest step that a leaf adds
 constexpr std::size_t kGrain = 4096;  // rows
-// Choice: steps of a gradient by which the steepest rows are found; finer steps would choose nearly the same rows.
-constexpr std::size_t kSteps = 1024;  // from 0 to 1
+// Choice: levels by which the largest gradients are found; more of them would choose nearly the same rows.
+constexpr std::size_t kGradientLevels = 1024;  // from 0 to 1
 
 std::int32_t in_units(double slope) {
   return static_cast<std::int32_t>(std::lround(slope / kSlopeUnit));
@@ -29,8 +29,8 @@ struct RowSlope {
   std::int32_t first = 0, second = 0;
 };
 
-std::size_t steps_of(const RowSlope& s) {
-  return static_cast<std::size_t>(kSlopeUnit * std::abs(s.first) * kSteps);
+std::size_t level_of(const RowSlope& s) {
+  return static_cast<std::size_t>(kSlopeUnit * std::abs(s.first) * kGradientLevels);
 }
 
 // Sums of slopes.
@@ -67,6 +67,17 @@ std::vector<float> even_limits(std::vector<double> values, std::size_t bins) {
   return limits;
 }
 
+// Computes the hashes from the bins, column after column.
+std::vector<std::uint64_t> row_keys(const BinnedColumns& columns) {
+  std::vector<std::uint64_t> keys(columns.rows, 0);
+  parallel_for((columns.rows + kGrain - 1) / kGrain, [&](std::size_t part) {
+    const std::size_t end = std::min(columns.rows, (part + 1) * kGrain);
+    for (std::size_t c = 0; c < columns.limits.size(); ++c)
+      for (std::size_t r = part * kGrain; r < end; ++r) keys[r] = mix64(keys[r] ^ columns.column(c)[r]);
+  });
+  return keys;
+}
+
 BinnedColumns binned(const TreeSamples& samples, std::size_t bins) {
   BinnedColumns out{samples.of_class.size(), std::vector<std::vector<float>>(samples.columns), {0}, {}, {}};
   out.bins.resize(samples.values.size());
@@ -78,30 +89,29 @@ BinnedColumns binned(const TreeSamples& samples, std::size_t bins) {
     std::copy(own.begin(), own.end(), out.bins.begin() + static_cast<std::ptrdiff_t>(c * out.rows));
   });
   for (const auto& list : out.limits) out.start.push_back(out.start.back() + list.size() + 1);
-  out.keys.resize(out.rows, 0);
-  for (std::size_t c = 0; c < samples.columns; ++c)
-    for (std::size_t r = 0; r < out.rows; ++r) out.keys[r] = mix64(out.keys[r] ^ out.column(c)[r]);
+  out.keys = row_keys(out);
   return out;
 }
 
-// The least number of steps of a gradient that at most so many rows have.
-std::size_t steep_from(std::span<const RowSlope> slopes, std::size_t most) {
-  std::array<std::size_t, kSteps + 1> count{};
-  for (const RowSlope& s : slopes) ++count[steps_of(s)];
-  std::size_t from = kSteps + 1, above = 0;
+// Returns the lowest level from which on there are at most so many rows.
+std::size_t first_large_level(std::span<const RowSlope> slopes, std::size_t most) {
+  std::array<std::size_t, kGradientLevels + 1> count{};
+  for (const RowSlope& s : slopes) ++count[level_of(s)];
+  std::size_t from = kGradientLevels + 1, above = 0;
   while (from > 1 && above + count[from - 1] <= most) above += count[--from];
   return from;
 }
 
 // Returns the rows that a tree learns from. The slopes of those that were drawn count for all they stand for.
-std::vector<std::uint32_t> counted_rows(std::span<const std::uint64_t> keys, const TreeBoostingParams& params,
+std::vector<std::uint32_t> sampled_rows(std::span<const std::uint64_t> keys, const TreeBoostingParams& params,
                                         std::uint64_t tree, std::span<RowSlope> slopes) {
-  const std::size_t steep =
-      steep_from(slopes, static_cast<std::size_t>(params.steepest * static_cast<double>(slopes.size())));
+  const std::size_t large =
+      first_large_level(slopes, static_cast<std::size_t>(params.largest_share * static_cast<double>(slopes.size())));
   const auto times = static_cast<std::int32_t>(params.drawn_of);
   std::vector<std::uint32_t> out;
+  out.reserve(slopes.size());
   for (std::size_t r = 0; r < slopes.size(); ++r) {
-    const bool drawn = times > 1 && steps_of(slopes[r]) < steep;
+    const bool drawn = times > 1 && level_of(slopes[r]) < large;
     if (drawn && Rng(keys[r], tree).at(0) % params.drawn_of != 0) continue;
     if (drawn) slopes[r] = {times * slopes[r].first, times * slopes[r].second};
     out.push_back(static_cast<std::uint32_t>(r));
@@ -256,7 +266,7 @@ class Booster {
         const std::size_t tree = round * samples_.classes + c;
         const auto slopes = std::span(slopes_).subspan(c * rows(), rows());
         TreeGrower(columns_, slopes, params_)
-            .grow(counted_rows(columns_.keys, params_, tree, slopes),
+            .grow(sampled_rows(columns_.keys, params_, tree, slopes),
                   std::span(out_.splits).subspan(tree * (leaves - 1), leaves - 1),
                   std::span(out_.leaves).subspan(tree * leaves, leaves),
                   std::span(scores_).subspan(c * rows(), rows()));
@@ -312,6 +322,7 @@ class Booster {
 BoostedTrees boost_trees(const TreeSamples& samples, const TreeBoostingParams& params) {
   assert(samples.classes > 0 && samples.columns > 0 && !samples.of_class.empty());
   assert(samples.values.size() == samples.of_class.size() * samples.columns);
+  assert(params.drawn_of > 0 && params.drawn_of <= kMostDrawnOf);
   assert(params.depth > 0 && params.depth <= 7 && params.bins > 1 && params.bins <= kMostBins);
   return Booster(samples, params).boost();
 }

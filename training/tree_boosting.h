@@ -13,12 +13,15 @@ struct TreeBoostingParams {
   std::size_t bins = 64;       // of a column, at most 256; each has about the same number of values
   double shrinkage = 0.15;     // factor of what a tree adds
   double ridge = 1;            // added to the curvature of a leaf
-  double least_curvature = 1;  // least curvature of a leaf: sum of p (1 - p) over its rows
-  // Each tree learns from the rows with the greatest gradients, this share of all at most, and from one in `drawn_of`
-  // of the others, which counts `drawn_of` times (one-side sampling; Ke et al. 2017). With 1 it learns from all rows.
-  double steepest = 0.2;
-  std::uint32_t drawn_of = 1;
+  double least_curvature = 1;  // least curvature of a leaf: sum of p (1 - p) over what its rows stand for
+  // Gradient-based one-side sampling (Ke et al. 2017): each tree learns from the rows with the largest gradients, at
+  // most this share of all, and from one in `drawn_of` of the others, which counts `drawn_of` times. With 1 it learns
+  // from all rows.
+  double largest_share = 0.2;
+  std::uint32_t drawn_of = 1;  // at most kMostDrawnOf
 };
+
+constexpr std::uint32_t kMostDrawnOf = 1024;  // a gradient that counts so many times still has 32 bits
 
 // Rows of values, one row after the other, and the class of each row.
 struct TreeSamples {
@@ -34,7 +37,7 @@ struct TreeSamples {
 // summed as such, so the order of the rows and the number of threads do not matter. Limits that no tree uses are left
 // out. Rows are drawn by a hash of their bins, the round and the class, so equal rows are drawn together. A class
 // without rows is never predicted. O(rounds classes depth (rows + counted rows columns)) at most, because of two nodes
-// only the smaller one is counted. Memory is about columns + 20 classes bytes per row.
+// only the smaller one is counted. Memory is about 8 + columns + 28 classes bytes per row.
 BoostedTrees boost_trees(const TreeSamples& samples, const TreeBoostingParams& params = {});
 
 }  // namespace ilot

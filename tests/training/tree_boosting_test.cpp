@@ -124,7 +124,7 @@ TEST(TreeBoosting, DrawnRowsStandForTheOthers) {
   const double of_drawn = tree_loss(boost_trees(s.samples(), params), unseen);
   EXPECT_LT(of_drawn, 1.02 * all);
   EXPECT_NE(of_drawn, all);
-  params.steepest = 0, params.drawn_of = 4000;  // some five rows a tree cannot stand for all
+  params.largest_share = 0, params.drawn_of = kMostDrawnOf;  // some twenty rows a tree cannot stand for all
   EXPECT_GT(tree_loss(boost_trees(s.samples(), params), unseen), 1.1 * all);
 }
 
