@@ -2,9 +2,9 @@
 #include "kernels/neighbours/cluster_grid.h"
 
 #include <algorithm>
-#include <array>
+#include <cassert>
+#include <cstdlib>
 
-#include "kernels/core/radix_sort.h"
 #include "kernels/core/union_find.h"
 
 namespace ilot {
@@ -34,34 +34,31 @@ bool fits(const IntBox& box, std::int64_t edge) {
 std::vector<Bin> number_bins(Points p, const IntBox& box, std::int64_t edge, std::vector<std::uint32_t>& bin_of) {
   const double per_unit = 1 / static_cast<double>(edge);
   const BinAxis in_x{box.min.x, per_unit}, in_y{box.min.y, per_unit}, in_z{box.min.z, per_unit};
-  std::vector<KeyValue> runs;  // consecutive points of one bin: the key and the number of the run
-  bin_of.resize(p.size);
-  for (std::uint32_t i = 0; i < p.size; ++i) {
+  const BinRuns sorted = sorted_runs(p.size, [&](std::uint32_t i) {
     const IntPoint q = point_at(p, i);
-    const std::uint64_t key = pack_bin(in_x(q.x), in_y(q.y), in_z(q.z));
-    if (runs.empty() || runs.back().key != key) runs.push_back({key, runs.size()});
-    bin_of[i] = static_cast<std::uint32_t>(runs.size() - 1);
-  }
-  std::vector<KeyValue> scratch(runs.size());
-  sort_pairs(runs, scratch);
-  std::vector<Bin> bins;  // at first with the number of their first run
-  std::vector<std::uint32_t> rank(runs.size()), number;
-  for (const KeyValue& run : runs) {
+    return pack_bin(in_x(q.x), in_y(q.y), in_z(q.z));
+  });
+  std::vector<Bin> bins;
+  bin_of.resize(p.size);  // at first the places of the bins in key order
+  for (const KeyValue& run : sorted.runs) {
     if (bins.empty() || bins.back().key != run.key) bins.push_back({run.key, kNone});
-    rank[run.value] = static_cast<std::uint32_t>(bins.size() - 1);
+    std::fill_n(bin_of.begin() + static_cast<std::ptrdiff_t>(run.value), sorted.length[run.value],
+                static_cast<std::uint32_t>(bins.size() - 1));
   }
   std::uint32_t count = 0;
-  for (std::uint32_t& r : rank) {
-    Bin& b = bins[r];
+  for (std::uint32_t& of : bin_of) {
+    Bin& b = bins[of];
     if (b.number == kNone) b.number = count++;
-    r = b.number;
+    of = b.number;
   }
-  for (std::uint32_t& run : bin_of) run = rank[run];
   return bins;
 }
 
 // Adds the bins ahead of each bin in key order. For each distance in y and z the first bin in reach only moves forward.
-void add_near(ClusterGrid& grid, const std::vector<Bin>& bins, std::int64_t edge) {
+// Returns false, with some of them only, where they are too many for so few points.
+bool add_near(ClusterGrid& grid, const std::vector<Bin>& bins, std::int64_t edge) {
+  // A bin can have 58 bins ahead. Where several points are in a bin, as on facades, few of them are listed for a point.
+  constexpr std::size_t kMostNear = 8;  // for each point
   struct Row {
     std::uint64_t first, last;  // added to the key of a bin: the range of the keys in reach
     bool touching;
@@ -95,7 +92,9 @@ void add_near(ClusterGrid& grid, const std::vector<Bin>& bins, std::int64_t edge
     near.touching = static_cast<std::uint32_t>(grid.near.size() - near.begin);
     grid.near.insert(grid.near.end(), farther.begin(), farther.end());
     near.all = static_cast<std::uint32_t>(grid.near.size() - near.begin);
+    if (grid.near.size() > kMostNear * grid.bin.size()) return false;
   }
+  return true;
 }
 
 // Sorts the points into the bins in use.
@@ -153,17 +152,19 @@ void join_bins(const ClusterGrid& grid, ClusterScratch& s, UnionFind sets) {
 }  // namespace
 
 ClusterGrid build_cluster_grid(Points points, std::int64_t radius) {
+  assert(radius >= 1);
   ClusterGrid grid;
   if (points.size == 0) return grid;
   const std::int64_t edge = bin_edge(radius);
   const IntBox box = box_of_all(points);
   if (!fits(box, edge)) return grid;
   grid.radius = radius;
-  add_near(grid, number_bins(points, box, edge, grid.bin), edge);
+  const std::vector<Bin> bins = number_bins(points, box, edge, grid.bin);
+  if (!add_near(grid, bins, edge)) return {};
   return grid;
 }
 
-ClusterGrid narrowed_grid(const ClusterGrid& grid, std::span<const std::uint32_t> bins) {
+ClusterGrid subset_grid(const ClusterGrid& grid, std::span<const std::uint32_t> bins) {
   ClusterGrid out;
   out.radius = grid.radius;
   std::vector<std::uint32_t> number(grid.near_of.size(), kNone), used;

@@ -10,12 +10,12 @@
 
 namespace ilot {
 
-// Points in bins so small that any two points of a bin are within the radius, and for each bin those of higher number
-// whose points can be within it. Bins are numbered by their first point: points in Morton order have near numbers where
-// they are near.
+// Points in bins so small that any two points of a bin are within the radius, and for each bin the bins after it, in
+// the order of their keys, with points that can be within the radius; so each pair is listed once. Bins are numbered by
+// their first point: points in Morton order have near numbers where they are near.
 struct ClusterGrid {
   struct Near {
-    std::size_t begin = 0;  // in `near`: bins that touch this one, then those two cells away
+    std::size_t begin = 0;  // in `near`: bins that touch this one, then those two bins away
     std::uint32_t touching = 0, all = 0;
   };
   std::int64_t radius = 0;
@@ -26,14 +26,15 @@ struct ClusterGrid {
   bool empty() const { return bin.empty(); }
 };
 
-// Builds the grid of all points, which have integer coordinates. It is empty where there are none, and where the radius
-// is below 2^-20 of the extent of the points. O(n log n).
+// Builds the grid of all points, which have integer coordinates. It is empty where there are none, where the radius is
+// below 2^-20 of the extent of the points, and where bins have so many bins near them, and so few points, that more
+// than eight would be listed for each point. O(n log n).
 ClusterGrid build_cluster_grid(Points points, std::int64_t radius);
 
 // Returns the grid of some points of another, from the bin that each has in the other. O(bins of the other).
-ClusterGrid narrowed_grid(const ClusterGrid& grid, std::span<const std::uint32_t> bins);
+ClusterGrid subset_grid(const ClusterGrid& grid, std::span<const std::uint32_t> bins);
 
-// The memory that grid_clusters() works in. It may be kept from call to call and has no meaning between them.
+// The memory that grid_clusters() works in. It must be passed on unchanged, to calls with any grid.
 struct ClusterScratch {
   std::vector<std::uint32_t> slot;                             // of each bin: its number among the bins in use
   std::vector<std::uint32_t> bins, begin, of, parent, number;  // of each bin in use; `of`: of each point, its slot

@@ -6,7 +6,6 @@
 #include <cassert>
 #include <numeric>
 
-#include "kernels/core/radix_sort.h"
 #include "kernels/core/union_find.h"
 #include "kernels/neighbours/reach.h"
 
@@ -16,13 +15,13 @@ namespace {
 // Bins that follow each other along the longest axis of the points. Here this axis is called x, whichever it is: what
 // is in reach does not depend on the names of the axes, and few long rows are joined faster than many short ones.
 struct Row {
-  std::uint64_t key;         // packed y and z of their cells
+  std::uint64_t key;         // packed y and z of its bins
   std::uint32_t begin, end;  // bins
 };
 
 struct Binned {
   std::vector<std::uint32_t> members;  // positions in the caller's index list, bin by bin
-  std::vector<std::uint32_t> x;        // of each bin's cell, row by row
+  std::vector<std::uint32_t> x;        // of each bin, row by row
   std::vector<std::uint32_t> begin;    // of each bin's members; one more than there are bins
   std::vector<Row> rows;               // ascending by key
 };
@@ -46,18 +45,11 @@ Binned bin_points(const Points& p, std::span<const std::uint32_t> indices, std::
   const int axis = longest_axis(low, high);
   const double per_unit = 1 / static_cast<double>(edge);
   const BinAxis in_x{low.x, per_unit}, in_y{low.y, per_unit}, in_z{low.z, per_unit};
-  // Consecutive points are mostly in one cell, so runs of them are sorted, by their first point.
-  std::vector<KeyValue> runs;
-  std::vector<std::uint32_t> length(indices.size(), 0);  // by first point
-  for (std::uint32_t i = 0; i < indices.size(); ++i) {
+  const auto [runs, length] = sorted_runs(indices.size(), [&](std::uint32_t i) {
     const IntPoint q = point_at(p, indices[i]);
     const std::uint64_t x = in_x(q.x), y = in_y(q.y), z = in_z(q.z);
-    const std::uint64_t key = axis == 0 ? pack_bin(x, y, z) : axis == 1 ? pack_bin(y, x, z) : pack_bin(z, x, y);
-    if (runs.empty() || runs.back().key != key) runs.push_back({key, i});
-    ++length[runs.back().value];
-  }
-  std::vector<KeyValue> scratch(runs.size());
-  sort_pairs(runs, scratch);
+    return axis == 0 ? pack_bin(x, y, z) : axis == 1 ? pack_bin(y, x, z) : pack_bin(z, x, y);
+  });
   Binned binned;
   binned.members.reserve(indices.size());
   for (auto* v : {&binned.x, &binned.begin}) v->reserve(runs.size() + 1);
@@ -116,7 +108,7 @@ class Joiner {
     return s;
   }
 
-  // Joins the segments of two rows (or of one) that are at most `along` cells apart along x and have points in reach.
+  // Joins the segments of two rows (or of one) that are at most `along` bins apart along x and have points in reach.
   // Returns by how many the number of sets falls.
   std::uint32_t join_rows(const Segments& s, std::size_t row, std::size_t other, std::uint32_t along,
                           UnionFind sets) const {

@@ -15,13 +15,14 @@ namespace ilot {
 namespace {
 
 constexpr float kHole = std::numeric_limits<float>::quiet_NaN();
+constexpr std::size_t kBallGroup = 8 * ShapeLeaves::kBallFloats, kConeGroup = 8 * ShapeLeaves::kConeFloats;
 constexpr std::size_t kFewestInCell = 16;  // points of an average cell of the smallest level
 // Derived: the comment on the line.
 constexpr double kMargin = 1 + 1e-6;  // more than the rounding of a ball to float32
 
 // Puts the ball around a box, number i of a level, into its group.
 void put_ball(std::vector<float>& level, std::size_t i, const Box3<Vec3>& b) {
-  float* group = level.data() + i / 8 * 32 + i % 8;
+  float* group = level.data() + i / 8 * kBallGroup + i % 8;
   const Vec3 c = 0.5 * (b.min + b.max);
   group[0] = static_cast<float>(c.x);
   group[8] = static_cast<float>(c.y);
@@ -33,7 +34,7 @@ void put_ball(std::vector<float>& level, std::size_t i, const Box3<Vec3>& b) {
 }
 
 void add_balls(ShapeIndex& s, const std::vector<Box3<Vec3>>& boxes) {
-  std::vector<float> level((boxes.size() + 7) / 8 * 32, kHole);
+  std::vector<float> level((boxes.size() + 7) / 8 * kBallGroup, kHole);
   for (std::size_t i = 0; i < boxes.size(); ++i)
     if (!boxes[i].is_empty()) put_ball(level, i, boxes[i]);
   s.balls.push_back(std::move(level));
@@ -79,7 +80,7 @@ ShapeLeaves::Cone cone_of(const ShapeLeaves& s, std::size_t begin, std::size_t e
 
 // Measures the points of a leaf, up to position `end`, along the axis of its normals.
 void measure_slab(const ShapeLeaves& s, std::size_t leaf, std::size_t end, ShapeLeaves::Cone& cone) {
-  const float* ball = s.balls[0].data() + leaf / 8 * 32 + leaf % 8;
+  const float* ball = s.balls[0].data() + leaf / 8 * kBallGroup + leaf % 8;
   const Vec3 centre{ball[0], ball[8], ball[16]}, axis{cone.x, cone.y, cone.z};
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (std::size_t i = leaf * ShapeLeaves::kLeaf; i < end; ++i) {
@@ -96,7 +97,7 @@ void measure_slab(const ShapeLeaves& s, std::size_t leaf, std::size_t end, Shape
 void put_cone(ShapeLeaves& s, std::size_t leaf, std::size_t end) {
   ShapeLeaves::Cone c = cone_of(s, leaf * ShapeLeaves::kLeaf, end);
   measure_slab(s, leaf, end, c);
-  float* to = s.cones.data() + leaf / 8 * 8 * ShapeLeaves::kConeFloats + leaf % 8;
+  float* to = s.cones.data() + leaf / 8 * kConeGroup + leaf % 8;
   for (const float v : {c.x, c.y, c.z, c.cosine, c.sine, c.middle, c.half}) {
     *to = v;
     to += 8;
@@ -104,7 +105,7 @@ void put_cone(ShapeLeaves& s, std::size_t leaf, std::size_t end) {
 }
 
 void build_cones(ShapeIndex& s) {
-  s.cones.assign((s.in_leaf.size() + 7) / 8 * 8 * ShapeLeaves::kConeFloats, 0.0f);
+  s.cones.assign((s.in_leaf.size() + 7) / 8 * kConeGroup, 0.0f);
   for (std::size_t leaf = 0; leaf < s.in_leaf.size(); ++leaf)
     put_cone(s, leaf, std::min(s.size, (leaf + 1) * ShapeLeaves::kLeaf));
 }
@@ -117,8 +118,8 @@ void add_removed(ShapeIndex& index, std::span<const std::uint32_t> positions) {
   for (auto* v : {&r.x, &r.y, &r.z, &r.nx, &r.ny, &r.nz}) v->resize(begin + ShapeLeaves::kLeaf, kHole);
   if (leaf % 8 == 0) {
     if (r.balls.empty()) r.balls.emplace_back();
-    r.balls[0].resize((leaf / 8 + 1) * 32, kHole);
-    r.cones.resize((leaf / 8 + 1) * 8 * ShapeLeaves::kConeFloats, 0.0f);
+    r.balls[0].resize((leaf / 8 + 1) * kBallGroup, kHole);
+    r.cones.resize((leaf / 8 + 1) * kConeGroup, 0.0f);
   }
   auto box = Box3<Vec3>::none();
   for (std::size_t k = 0; k < positions.size(); ++k) {
@@ -138,7 +139,7 @@ void add_removed(ShapeIndex& index, std::span<const std::uint32_t> positions) {
 // After this no shape comes near a leaf without points, or a ball without balls.
 void empty_ball(ShapeIndex& index, std::size_t ball) {
   for (std::vector<float>& level : index.balls) {
-    float* radii = level.data() + ball / 8 * 32 + 24;
+    float* radii = level.data() + ball / 8 * kBallGroup + 24;
     radii[ball % 8] = kHole;
     if (std::any_of(radii, radii + 8, [](float r) { return r == r; })) return;
     ball /= 8;
@@ -229,10 +230,16 @@ ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::
   return s;
 }
 
-void take_out(ShapeIndex& index, std::span<const std::uint32_t> positions) {
+void take_out(ShapeIndex& index, std::span<const std::uint32_t> positions, bool listed) {
   ++index.epoch;
-  for (std::size_t k = 0; k < positions.size(); k += ShapeLeaves::kLeaf)
-    add_removed(index, positions.subspan(k, std::min<std::size_t>(ShapeLeaves::kLeaf, positions.size() - k)));
+  constexpr std::size_t kLeaf = ShapeLeaves::kLeaf;
+  if (!listed || index.removed.epoch.size() + (positions.size() + kLeaf - 1) / kLeaf > index.in_leaf.size()) {
+    index.removed = {};
+    index.built = index.epoch;
+  } else {
+    for (std::size_t k = 0; k < positions.size(); k += kLeaf)
+      add_removed(index, positions.subspan(k, std::min<std::size_t>(kLeaf, positions.size() - k)));
+  }
   for (const std::uint32_t i : positions) {
     assert(!index.is_hole(i));
     index.x[i] = kHole;

@@ -12,7 +12,7 @@ namespace ilot {
 // point are NaN.
 struct ShapeLeaves {
   static constexpr std::uint32_t kLeaf = 64;
-  static constexpr std::size_t kConeFloats = 7;
+  static constexpr std::size_t kBallFloats = 4, kConeFloats = 7;
 
   // All normals of a leaf, in one sense or the other, are within an angle about its axis. Along the axis, all its
   // points are at most half of its thickness from a middle, which is given from the centre of its ball.
@@ -32,7 +32,7 @@ struct ShapeLeaves {
 
 // Points that were removed, in the order of their removal, with one level of balls. Leaves have points of one removal.
 struct RemovedPoints : ShapeLeaves {
-  std::vector<std::uint64_t> epoch;  // of each leaf: that which its removal began, ascending
+  std::vector<std::uint64_t> epoch;  // of each leaf: the epoch that began with its removal, ascending
 };
 
 // Points with normals in Morton order of their own box, under a hierarchy of bounding balls. 64 points are a leaf,
@@ -43,10 +43,10 @@ struct ShapeIndex : ShapeLeaves {
   std::vector<std::uint64_t>
       code;  // per position: Morton code from the box's corner; its step is a unit in boxes below 2^21 units
   std::vector<std::uint32_t> in_leaf;  // per leaf: points that are left
-  RemovedPoints removed;               // since it was built
+  RemovedPoints removed;               // since epoch `built`
   std::size_t size = 0;                // number of positions, holes included
   std::size_t left = 0;                // number of points
-  std::uint64_t epoch = 1, built = 1;  // grows whenever points are removed; when it was built
+  std::uint64_t epoch = 1, built = 1;  // grows whenever points are removed; where `removed` begins
   Vec3 centre;                         // of the box
   double reach = 0;                    // half its diagonal
   int first_level = 0,
@@ -63,12 +63,13 @@ struct ShapeIndex : ShapeLeaves {
 // Builds the index of the chosen points (indices) that have a normal. When there are no normals at all, it contains all
 // chosen points with normals of zero. These agree with a shape where min_cos is zero. Offsets are integers. The result
 // does not depend on the order of the indices, except for points that coincide. O(n). `epoch` (from 1) is that of the
-// index and of all its leaves. An index that replaces another must continue with the next epoch.
+// index. Where counts of another index are kept, the one that replaces it must continue with the next epoch.
 ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::uint32_t> chosen,
                              std::uint64_t epoch = 1);
 
-// Removes the points at these positions, in a new epoch, and lists them as removed. O(positions). The list is of most
-// use where they are in order.
-void take_out(ShapeIndex& index, std::span<const std::uint32_t> positions);
+// Removes the points at these positions, in a new epoch, and lists them as removed, where wanted. O(positions). The
+// list is of most use where they are in order. It begins anew, with the points removed later, where points are removed
+// that are not listed, and where it would have more leaves than the index, as after many removals of a few points.
+void take_out(ShapeIndex& index, std::span<const std::uint32_t> positions, bool listed = true);
 
 }  // namespace ilot

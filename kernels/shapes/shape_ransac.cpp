@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernels/shapes/shape_ransac.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <numeric>
@@ -88,7 +89,7 @@ class Search {
     Indices chosen;
     for (std::size_t i = 0; i < all_.size; ++i)
       if (!all_.is_hole(i) && mix64(all_.code[i]) % stride == 0) chosen.push_back(all_.index[i]);
-    sample_ = build_shape_index(points_, chosen);
+    sample_ = build_shape_index(points_, chosen);  // from epoch 1 again: rescale() forgets all counts
     in_sample_.assign(points_.points.size, kNotSampled);
     for (std::uint32_t i = 0; i < sample_.size; ++i) in_sample_[sample_.index[i]] = i;
   }
@@ -293,9 +294,10 @@ class Search {
       Indices sampled;
       for (const std::uint32_t i : members)
         if (const std::uint32_t at = in_sample_[all_.index[i]]; at != kNotSampled) sampled.push_back(at);
+      std::sort(sampled.begin(), sampled.end());
       take_out(sample_, sampled);
     }
-    take_out(all_, members);
+    take_out(all_, members, !sampled_);  // candidates are counted on the sample where there is one
     if (all_.left < all_.size / 2) compact();
     if (stride_for(all_.left) != static_cast<std::size_t>(share_)) {
       build_sample();
@@ -313,7 +315,7 @@ class Search {
     all_ = build_shape_index(points_, left, all_.epoch + 1);  // counts round anew
     if (grid_.empty()) return;
     for (const std::uint32_t i : all_.index) bins.push_back(bin_of[i]);
-    grid_ = narrowed_grid(grid_, bins);
+    grid_ = subset_grid(grid_, bins);
   }
 
   // Bounds on one sample are not valid for another.

@@ -12,6 +12,8 @@
 namespace ilot {
 namespace {
 
+static_assert(simd::kBallGroup == 8 * ShapeLeaves::kBallFloats && simd::kConeGroup == 8 * ShapeLeaves::kConeFloats);
+
 struct Request {
   simd::ShapeArgs args{};
   std::array<float, 9> shape{};
@@ -85,7 +87,7 @@ std::uint32_t removed_hits(Request& r, const RemovedPoints& removed, std::uint64
 }
 
 bool may_hold(const Box3<Vec3>& box, const ShapeIndex& index, std::uint32_t leaf) {
-  const float* ball = index.balls[0].data() + leaf / 8 * 32 + leaf % 8;
+  const float* ball = index.balls[0].data() + leaf / 8 * simd::kBallGroup + leaf % 8;
   const double x = ball[0], y = ball[8], z = ball[16], radius = ball[24];
   return x + radius >= box.min.x && x - radius <= box.max.x && y + radius >= box.min.y && y - radius <= box.max.y &&
          z + radius >= box.min.z && z - radius <= box.max.z;
@@ -138,7 +140,13 @@ std::uint32_t recount_shape(const ShapeIndex& index, const Shape& shape, const S
                             ShapeCount before, std::uint32_t least) {
   Request r;
   prepare_shape(r, index, shape, params);
-  if (before.epoch >= index.built) return before.points - removed_hits(r, index.removed, before.epoch);
+  if (before.epoch >= index.built) {
+    // Exact, because a point is judged in the list of the removed as it was in the index: by the same operations on the
+    // same values, and a leaf is left out only where none of its points can be a hit.
+    const std::uint32_t gone = removed_hits(r, index.removed, before.epoch);
+    assert(gone <= before.points);
+    return before.points - gone;
+  }
   find_leaves(r, index);
   const std::uint32_t bound = points_in(index, r.met());
   return bound < least ? bound : simd::kShapeScore.best().shape_hits(r.args);

@@ -29,8 +29,9 @@ struct ShapeCount {
   std::uint64_t epoch = 0;
 };
 
-// Returns the result of score_shape. From the count before, if there is one and the index was not built since, it takes
-// the points that were removed since. A result below `least` may be only an upper bound.
+// Returns the result of score_shape. Where there is a count before, and all points removed since are listed, it
+// subtracts those of them that are on the shape. Else it counts anew, and a result below `least` may be only an upper
+// bound.
 std::uint32_t recount_shape(const ShapeIndex& index, const Shape& shape, const ShapeScoreParams& params,
                             ShapeCount before, std::uint32_t least);
 

@@ -71,7 +71,7 @@ inline std::uint32_t near_balls(const ShapeLanes<F8>& s, const float* group, F8 
 inline std::uint32_t agreeing_leaves(const ShapeLanes<F8>& s, const ShapeArgs& args, std::uint32_t group) {
   // Derived: twice the rounding of the square of a cosine in float32.
   constexpr float kSquareRounding = 2e-6f;
-  const float *ball = args.balls[0] + std::size_t{32} * group, *cone = args.cones + std::size_t{56} * group;
+  const float *ball = args.balls[0] + kBallGroup * group, *cone = args.cones + kConeGroup * group;
   const F8 centre = across<0>(s, load8(ball), load8(ball + 8), load8(ball + 16)).along;
   const F8 along = load8(cone) * s.ux + load8(cone + 8) * s.uy + load8(cone + 16) * s.uz, cosine = magnitude(along);
   const F8 least = splat(args.angle_cosine) * load8(cone + 24) - splat(args.angle_sine) * load8(cone + 32) -
@@ -85,7 +85,7 @@ inline std::uint32_t agreeing_leaves(const ShapeLanes<F8>& s, const ShapeArgs& a
 template <int kKind>
 inline std::uint32_t add_leaves(const ShapeLanes<F8>& s, const ShapeArgs& args, std::uint32_t group, F8 margin,
                                 std::uint32_t count) {
-  std::uint32_t near = near_balls<kKind>(s, args.balls[0] + std::size_t{32} * group, margin);
+  std::uint32_t near = near_balls<kKind>(s, args.balls[0] + kBallGroup * group, margin);
   if constexpr (kKind == 0)
     if (near != 0) near &= agreeing_leaves(s, args, group);
   const Pick8 leaves = pick8(near);
@@ -120,7 +120,7 @@ inline std::uint32_t collect_balls(const ShapeArgs& args) {
       count = add_leaves<kKind>(s, args, ball, margin, count);
     } else {
       --level;
-      stack[level] = {ball, near_balls<kKind>(s, args.balls[level] + std::size_t{32} * ball, margin)};
+      stack[level] = {ball, near_balls<kKind>(s, args.balls[level] + kBallGroup * ball, margin)};
     }
   }
   return count;

@@ -9,20 +9,21 @@
 
 namespace ilot::simd {
 
+constexpr std::size_t kBallGroup = 32, kConeGroup = 56;  // floats of eight balls, of eight cones
+
 struct ShapeArgs {
   const float *x, *y, *z, *nx, *ny, *nz;  // leaves of 64 points; holes are NaN
-  const float* const* balls;              // per level: groups of 8, 32 floats each: x8 y8 z8 radius8
+  const float* const* balls;              // per level: groups of 8: x8 y8 z8 radius8
   int levels;
   std::uint32_t first_group, groups;  // where there is one level: the groups that are looked through
-  const float* cones;                 // of leaves: groups of 8, 56 floats each: x8 y8 z8 cosine8 sine8 middle8 half8
+  const float* cones;                 // of leaves: groups of 8: x8 y8 z8 cosine8 sine8 middle8 half8
   const float* shape;                 // origin, axis, radius, sine, cosine
   int kind;                           // ShapeKind
   float max_distance, min_cos;
   float slack;  // larger than the rounding error of a distance
   // Of the greatest angle between normals that agree; the rounding of cosines of normals.
   float angle_cosine, angle_sine, cosine_rounding;
-  std::uint32_t* leaves;  // shape_leaves writes them, shape_hits reads them
-                          // with room for eight more
+  std::uint32_t* leaves;  // shape_leaves writes them, with room for eight more; shape_hits reads them
   std::uint32_t leaf_count;
   std::uint32_t* found;  // nullptr: count only; otherwise positions, with room for eight more
 };

@@ -51,7 +51,7 @@ TEST(ClusterGrid, TheSameAsClustersOfEachSubset) {
 }
 
 // The grid of two of three points, in another order.
-TEST(ClusterGrid, NarrowedIsAsGood) {
+TEST(ClusterGrid, TheGridOfASubsetIsAsGood) {
   Rng rng(29);
   const auto set = test::make_set("scattered", scattered(3000, 400, rng));
   const ClusterGrid grid = build_cluster_grid(set.view(), 12);
@@ -63,12 +63,27 @@ TEST(ClusterGrid, NarrowedIsAsGood) {
       bins.push_back(grid.bin[i]);
     }
   left.pad();
-  const ClusterGrid narrow = narrowed_grid(grid, bins);
+  const ClusterGrid narrow = subset_grid(grid, bins);
   EXPECT_LT(narrow.near_of.size(), grid.near_of.size());
   ClusterScratch scratch;
   for (const std::uint64_t of : {1u, 4u, 30u}) {
     const auto chosen = some_of(left.size, of, rng);
     expect_same(grid_clusters(narrow, left.points(), chosen, scratch), euclidean_clusters(left.points(), chosen, 12));
+  }
+}
+
+// A lattice with a point in each bin: most have 58 bins ahead. With eight points in a place they are few for a point.
+TEST(ClusterGrid, EmptyWhereTooManyBinsAreNearForThePoints) {
+  constexpr std::int64_t kRadius = 300;
+  const auto step = static_cast<std::uint32_t>(bin_edge(kRadius));
+  for (const std::size_t times : {1u, 8u}) {
+    std::vector<Cell3> points;
+    for (std::uint32_t i = 0; i < 1728; ++i)
+      points.insert(points.end(), times, Cell3{i % 12 * step, i / 12 % 12 * step, i / 144 * step});
+    const auto set = test::make_set("lattice", points);
+    const ClusterGrid grid = build_cluster_grid(set.view(), kRadius);
+    EXPECT_EQ(grid.empty(), times == 1);
+    EXPECT_LE(grid.near.size(), 8 * set.size);
   }
 }
 

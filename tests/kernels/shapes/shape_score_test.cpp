@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernels/shapes/shape_score.h"
 
+#include <array>
+#include <cmath>
 #include <numeric>
 
 #include "kernels/shapes/shape_score_body.h"
@@ -62,52 +64,69 @@ TEST(ShapeScore, CountsAreTheNaiveLoopsUpToRoundingAndBoundsHold) {
   EXPECT_LT(bound_shape(index, shapes()[1], {25, 0.9}), 20000u);  // the bound is worth something
 }
 
-// Passing balls over changes nothing: the same count with every leaf looked at. And for every instruction set.
+// The arguments of the bodies for a shape that is prepared as score_shape does.
+struct BodyArgs {
+  std::vector<const float*> balls;
+  std::array<float, 9> shape{};
+  simd::ShapeArgs args{};
+
+  BodyArgs(const ShapeIndex& index, const Shape& s) {
+    for (const auto& level : index.balls) balls.push_back(level.data());
+    Vec3 origin = s.origin;
+    const double along = dot(index.centre - origin, s.axis);
+    if (s.kind == ShapeKind::kPlane) origin = index.centre - along * s.axis;
+    if (s.kind == ShapeKind::kCylinder) origin = origin + along * s.axis;
+    const auto f = [](double v) { return static_cast<float>(v); };
+    shape = {f(origin.x), f(origin.y), f(origin.z), f(s.axis.x), f(s.axis.y),
+             f(s.axis.z), f(s.radius), f(s.sine),   f(s.cosine)};
+    args.x = index.x.data(), args.y = index.y.data(), args.z = index.z.data();
+    args.nx = index.nx.data(), args.ny = index.ny.data(), args.nz = index.nz.data();
+    args.balls = balls.data();
+    args.levels = static_cast<int>(balls.size());
+    args.groups = static_cast<std::uint32_t>((index.in_leaf.size() + 7) / 8);
+    args.cones = index.cones.data();
+    args.shape = shape.data();
+    args.kind = static_cast<int>(s.kind);
+    args.max_distance = 25, args.min_cos = 0.9f, args.slack = 1;
+    const double cosine = 0.9 - 0.001;
+    args.angle_cosine = f(cosine), args.angle_sine = f(std::sqrt(1 - cosine * cosine));
+    args.cosine_rounding = 0.001f;
+  }
+  BodyArgs(const BodyArgs&) = delete;
+};
+
+// Passing balls over changes nothing: the same count with every leaf looked at, and with one level of balls. And for
+// every instruction set, down to the list of leaves.
 TEST(ShapeScore, CullingAndInstructionSetsDoNotShow) {
   const auto set = scene(10007);
   auto index = build_shape_index(set.view(), test::all_of(set.size));
   std::vector<std::uint32_t> holes;
   for (std::uint32_t i = 0; i < index.size; i += 3) holes.push_back(i);
   take_out(index, holes);
-  std::vector<const float*> balls;
-  for (const auto& level : index.balls) balls.push_back(level.data());
-  std::vector<std::uint32_t> every(index.in_leaf.size() + 8), culled(every.size());
+  ASSERT_GT(index.balls.size(), 1u);
+  std::vector<std::uint32_t> every(index.in_leaf.size());
   std::iota(every.begin(), every.end(), 0u);
   for (const Shape& s : shapes()) {
     const std::uint32_t counted = score_shape(index, s, {25, 0.9});
-    Vec3 origin = s.origin;
-    const double along = dot(index.centre - origin, s.axis);
-    if (s.kind == ShapeKind::kPlane) origin = index.centre - along * s.axis;
-    if (s.kind == ShapeKind::kCylinder) origin = origin + along * s.axis;
-    const auto f = [](double v) { return static_cast<float>(v); };
-    const float shape[9]{f(origin.x), f(origin.y), f(origin.z), f(s.axis.x), f(s.axis.y),
-                         f(s.axis.z), f(s.radius), f(s.sine),   f(s.cosine)};
+    BodyArgs body(index, s);
+    simd::ShapeArgs& args = body.args;
+    std::vector<std::uint32_t> first;  // leaves that were listed first
     for (const simd::Isa isa : simd::kIsas) {
       if (!simd::has_isa(isa)) continue;
-      simd::ShapeArgs args{};
-      args.x = index.x.data();
-      args.y = index.y.data();
-      args.z = index.z.data();
-      args.nx = index.nx.data();
-      args.ny = index.ny.data();
-      args.nz = index.nz.data();
-      args.balls = balls.data();
-      args.levels = static_cast<int>(balls.size());
-      args.cones = index.cones.data();
-      args.shape = shape;
-      args.kind = static_cast<int>(s.kind);
-      args.max_distance = 25;
-      args.min_cos = 0.9f;
-      args.slack = 1;
-      args.angle_cosine = 0.89f;
-      args.angle_sine = 0.46f;
-      args.cosine_rounding = 0.001f;
-      args.leaves = culled.data();
-      args.leaf_count = simd::kShapeScore.of(isa).shape_leaves(args);
-      EXPECT_EQ(simd::kShapeScore.of(isa).shape_hits(args), counted) << simd::name_of(isa);
+      const simd::ShapeScoreBody& bodies = simd::kShapeScore.of(isa);
+      for (const int levels : {static_cast<int>(index.balls.size()), 1}) {
+        std::vector<std::uint32_t> leaves(every.size() + 8);
+        args.levels = levels;
+        args.leaves = leaves.data();
+        args.leaf_count = bodies.shape_leaves(args);
+        EXPECT_EQ(bodies.shape_hits(args), counted) << simd::name_of(isa) << " levels " << levels;
+        leaves.resize(args.leaf_count);
+        if (first.empty()) first = leaves;
+        EXPECT_EQ(leaves, first) << simd::name_of(isa) << " levels " << levels;
+      }
       args.leaves = every.data();
-      args.leaf_count = static_cast<std::uint32_t>(index.in_leaf.size());
-      EXPECT_EQ(simd::kShapeScore.of(isa).shape_hits(args), counted) << simd::name_of(isa);
+      args.leaf_count = static_cast<std::uint32_t>(every.size());
+      EXPECT_EQ(bodies.shape_hits(args), counted) << simd::name_of(isa);
     }
   }
 }
@@ -149,6 +168,52 @@ TEST(ShapeScore, RecountingIsCounting) {
   }
   EXPECT_GT(kept, 0u);
   EXPECT_GT(changed, 0u);
+}
+
+// All points of every second leaf go, those of the others stay.
+TEST(ShapeScore, RecountingIsCountingWhereWholeLeavesGo) {
+  const auto set = scene(20000);
+  auto index = build_shape_index(set.view(), test::all_of(set.size));
+  const ShapeScoreParams params{25, 0.9};
+  std::vector<ShapeCount> known;
+  for (const Shape& s : shapes()) known.push_back({score_shape(index, s, params), index.epoch});
+  std::vector<std::uint32_t> gone;
+  for (std::uint32_t i = 0; i < index.size; ++i)
+    if (i / ShapeIndex::kLeaf % 2 == 0) gone.push_back(i);
+  take_out(index, gone);
+  for (std::size_t leaf = 0; leaf + 1 < index.in_leaf.size(); ++leaf)
+    ASSERT_EQ(index.in_leaf[leaf], leaf % 2 == 0 ? 0u : ShapeIndex::kLeaf);
+  for (std::size_t s = 0; s < known.size(); ++s) {
+    const std::uint32_t counted = score_shape(index, shapes()[s], params);
+    const bool fewer = counted < known[s].points, any = known[s].points > 0;
+    EXPECT_EQ(fewer, any);
+    EXPECT_EQ(recount_shape(index, shapes()[s], params, known[s], 0), counted);
+  }
+}
+
+// Removals of a few points fill a leaf each. The list begins anew before it has more leaves than the index, and where
+// points are not listed; counts from before are made anew then.
+TEST(ShapeScore, RecountingIsCountingWhereTheListOfRemovedPointsBeganAnew) {
+  const auto set = scene(5000);
+  auto index = build_shape_index(set.view(), test::all_of(set.size));
+  const ShapeScoreParams params{25, 0.9};
+  const Shape s = shapes()[1];
+  std::vector<ShapeCount> known;
+  std::size_t anew = 0, subtracted = 0;
+  for (std::uint32_t at = 0; at + 3 <= index.size; at += 12) {
+    known.push_back({score_shape(index, s, params), index.epoch});
+    const std::array<std::uint32_t, 3> gone{at, at + 1, at + 2};
+    take_out(index, gone, at % 1200 != 600);
+    ASSERT_LE(index.removed.epoch.size(), index.in_leaf.size());
+    const std::uint32_t counted = score_shape(index, s, params);
+    for (std::size_t k = 0; k < known.size(); k += 29) {
+      EXPECT_EQ(recount_shape(index, s, params, known[k], 0), counted);
+      ++(known[k].epoch < index.built ? anew : subtracted);
+    }
+  }
+  EXPECT_GT(anew, 0u);
+  EXPECT_GT(subtracted, 0u);
+  EXPECT_LT(score_shape(index, s, params), known.front().points);
 }
 
 TEST(ShapeScore, EmptyLeavesAreNeverMet) {
@@ -211,6 +276,28 @@ TEST(ShapeScore, LeavesOfOtherNormalsAreLeftOutOnly) {
   const auto index = build_shape_index(unit.view(), test::all_of(unit.size));
   const Shape s{ShapeKind::kPlane, {3000, 3000, 3000}, {0, 0, 1}};
   EXPECT_LT(bound_shape(index, s, {25, 0.95}), bound_shape(index, s, {25, 0}) / 2);
+}
+
+// A thin oblique sheet and a plane along it, beyond epsilon but within the balls of all leaves.
+TEST(ShapeScore, LeavesBesideAPlaneAreLeftOut) {
+  Rng rng(8);
+  test::OrientedSetBuilder b(5);
+  const Vec3 normal{0.6, 0, 0.8}, along{0.8, 0, -0.6}, across{0, 1, 0}, middle{3000, 3000, 3000};
+  for (int i = 0; i < 5000; ++i)
+    b.add(middle + (2000 * rng.uniform()) * along + (2000 * rng.uniform()) * across, normal);
+  const auto set = b.build();
+  const auto index = build_shape_index(set.view(), test::all_of(set.size));
+  constexpr double kEpsilon = 3, kBeside = 10;
+  const auto leaves = static_cast<std::uint32_t>(index.in_leaf.size());
+  for (const double side : {-1.0, 1.0}) {
+    const Shape beside{ShapeKind::kPlane, middle + side * kBeside * normal, normal};
+    for (std::uint32_t leaf = 0; leaf < leaves; ++leaf) {
+      const float* ball = index.balls[0].data() + leaf / 8 * 32 + leaf % 8;
+      EXPECT_LT(std::abs(view_of(beside, {ball[0], ball[8], ball[16]}).distance), double{ball[24]} + kEpsilon);
+    }
+    EXPECT_EQ(bound_shape(index, beside, {kEpsilon, 0.9}), 0u);
+    EXPECT_EQ(bound_shape(index, {ShapeKind::kPlane, middle + side * normal, normal}, {kEpsilon, 0.9}), index.size);
+  }
 }
 
 TEST(ShapeScore, AnEmptyIndexHasNoPoints) {

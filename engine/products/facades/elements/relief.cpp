@@ -29,6 +29,9 @@ constexpr double kAcrossShadow = 1;  // metres between the two along the wall
 // Derived: facades.least_relief: what is nearer cannot be distinguished from the wall or the front.
 constexpr double kLeastFace = 0.01;  // metres from the wall and from the front between which side faces are searched
 
+// Calls the given function for each value. Every call gives the same values.
+using ValueStream = std::function<void(const std::function<void(double)>&)>;
+
 struct Piece {
   std::vector<std::uint32_t> ids;
   double w = 0, rms = 0;
@@ -59,9 +62,7 @@ void measure(const RaySamples& samples, Piece& piece) {
       take(place.u, place.v);
     }
   };
-  const auto rank = [&](double share) { return static_cast<std::uint64_t>(share * (count - 1)); };
-  const auto [u, v] = nth_places(places, piece.points, {rank(kTailOfPiece), rank(1 - kTailOfPiece)});
-  piece.box = {u[0], u[1], v[0], v[1]};
+  piece.box = box_of_places(places, piece.points, kTailOfPiece);
 }
 
 bool in_line(const Piece& a, const Piece& b) {

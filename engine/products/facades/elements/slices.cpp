@@ -138,11 +138,7 @@ Box2 whole_extent(const RaySamples& samples, const SliceRange& range, const Faca
         if (cuts.w(cut) == slice.w) take(ray.at.u, ray.at.v);
       });
   };
-  const auto rank = [&](double share) {
-    return static_cast<std::uint64_t>(share * static_cast<double>(slice.points - 1));
-  };
-  const auto [u, v] = nth_places(places, slice.points, {rank(kTailOfCut), rank(1 - kTailOfCut)});
-  return {u[0], u[1], v[0], v[1]};
+  return box_of_places(places, slice.points, kTailOfCut);
 }
 
 std::optional<FacadeSlice> end_slice(std::span<const FacadeSlice> slices) {

@@ -33,10 +33,10 @@ class Bins {
     if (!among_.contains(v)) return;
     bins_[std::min(kBins - 1, static_cast<std::size_t>((v - among_.low) / (among_.high - among_.low) * kBins))].add(v);
   }
-  // The candidates in the bin of the wanted value, and its rank among them.
-  Candidates of(std::uint64_t& rank) const {
+  // Returns the candidates in the bin of the value of this rank, which becomes its rank among them.
+  Candidates narrow(std::uint64_t& rank) const {
     std::size_t at = 0;
-    while (rank >= bins_[at].count) rank -= bins_[at++].count;
+    while (at + 1 < kBins && rank >= bins_[at].count) rank -= bins_[at++].count;
     return bins_[at];
   }
 
@@ -49,9 +49,9 @@ class Bins {
 // The search for the value of one rank, by one reading after the other.
 class NthValue {
  public:
-  NthValue(std::uint64_t count, std::uint64_t rank) : among_{-INFINITY, INFINITY, count}, rank_(rank) {
-    if (count > kInMemory) among_ = {INFINITY, -INFINITY, count};
-    begin();
+  NthValue(std::uint64_t count, std::uint64_t rank)
+      : among_{-INFINITY, INFINITY, count}, rank_(rank), measuring_(count > kInMemory) {
+    if (!measuring_) begin();
   }
 
   bool done() const { return done_; }
@@ -60,7 +60,7 @@ class NthValue {
   void add(double v) {
     if (bins_) {
       bins_->add(v);
-    } else if (measuring()) {
+    } else if (measuring_) {
       range_.add(v);
     } else if (among_.contains(v)) {
       found_.push_back(v);
@@ -70,12 +70,13 @@ class NthValue {
   // After each reading.
   void end() {
     if (bins_) {
-      among_ = bins_->of(rank_);
+      among_ = bins_->narrow(rank_);
       bins_.reset();
-    } else if (measuring()) {
+    } else if (measuring_) {
       among_ = range_;
+      measuring_ = false;
     } else {
-      value_ = nth_smallest(found_, rank_);
+      value_ = rank_ < found_.size() ? nth_smallest(found_, rank_) : NAN;
       done_ = true;
       return;
     }
@@ -83,21 +84,20 @@ class NthValue {
   }
 
  private:
-  bool measuring() const { return among_.low > among_.high; }
   void begin() {
-    if (measuring()) return;
     if (among_.count <= kInMemory) {
       found_.reserve(among_.count);
     } else if (among_.low < among_.high) {
       bins_.emplace(among_);
     } else {
-      value_ = among_.low;
+      value_ = rank_ < among_.count ? among_.low : NAN;
       done_ = true;
     }
   }
 
   Candidates among_, range_;
   std::uint64_t rank_;
+  bool measuring_;  // the range of all values, in the first reading of many
   std::optional<Bins> bins_;
   std::vector<double> found_;
   double value_ = 0;
@@ -105,15 +105,6 @@ class NthValue {
 };
 
 }  // namespace
-
-double nth_value(const ValueStream& values, std::uint64_t count, std::uint64_t rank) {
-  NthValue search(count, rank);
-  while (!search.done()) {
-    values([&](double v) { search.add(v); });
-    search.end();
-  }
-  return search.value();
-}
 
 std::array<std::array<double, 2>, 2> nth_places(const PlaceStream& places, std::uint64_t count,
                                                 std::array<std::uint64_t, 2> ranks) {
@@ -131,6 +122,12 @@ std::array<std::array<double, 2>, 2> nth_places(const PlaceStream& places, std::
     each([&](NthValue& search, bool) { search.end(); });
   }
   return {{{first[0].value(), first[1].value()}, {second[0].value(), second[1].value()}}};
+}
+
+Box2 box_of_places(const PlaceStream& places, std::uint64_t count, double tail) {
+  const auto rank = [&](double share) { return static_cast<std::uint64_t>(share * static_cast<double>(count - 1)); };
+  const auto [u, v] = nth_places(places, count, {rank(tail), rank(1 - tail)});
+  return {u[0], u[1], v[0], v[1]};
 }
 
 }  // namespace ilot

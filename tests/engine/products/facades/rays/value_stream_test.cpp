@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -12,47 +13,66 @@
 namespace ilot {
 namespace {
 
-// Values without a pattern, of a few places only, of one place, and far apart: against sorting.
+using Places = std::vector<std::array<double, 2>>;
+
+PlaceStream stream_of(const Places& places) {
+  return [&](const std::function<void(double, double)>& take) {
+    for (const auto& p : places) take(p[0], p[1]);
+  };
+}
+
+std::vector<double> sorted_values(const Places& places, std::size_t axis) {
+  std::vector<double> values;
+  for (const auto& p : places) values.push_back(p[axis]);
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+// Values without a pattern, of a few places only, of one place, and far apart; other ones in the other coordinate.
+double any_value(int kind, Rng& rng) {
+  const double at = rng.uniform();
+  return kind == 0 ? at - 0.5 : kind == 1 ? std::floor(5 * at) : kind == 2 ? 7 : at < 0.999 ? 1e-9 * at : 1e9 * at;
+}
+
 TEST(ValueStream, TheSameAsSorting) {
   Rng rng(9);
   for (const std::size_t count : {1u, 2u, 32768u, 32769u, 300000u})
     for (const int kind : {0, 1, 2, 3}) {
-      std::vector<double> values(count);
-      for (double& v : values) {
-        const double at = rng.uniform();
-        v = kind == 0 ? at - 0.5 : kind == 1 ? std::floor(5 * at) : kind == 2 ? 7 : at < 0.999 ? 1e-9 * at : 1e9 * at;
-      }
-      const ValueStream stream = [&](const std::function<void(double)>& take) {
-        for (const double v : values) take(v);
-      };
-      std::vector<double> sorted = values;
-      std::sort(sorted.begin(), sorted.end());
-      for (const double share : {0.0, 0.005, 0.5, 0.995, 1.0}) {
+      Places places(count);
+      for (auto& p : places) p = {any_value(kind, rng), any_value((kind + 1) % 4, rng)};
+      const std::array<std::vector<double>, 2> sorted{sorted_values(places, 0), sorted_values(places, 1)};
+      for (const double share : {0.0, 0.005, 0.5}) {
         const auto rank = static_cast<std::size_t>(share * static_cast<double>(count - 1));
-        EXPECT_EQ(nth_value(stream, count, rank), sorted[rank]) << count << " " << kind << " " << share;
+        const auto got = nth_places(stream_of(places), count, {rank, count - 1 - rank});
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+          EXPECT_EQ(got[axis][0], sorted[axis][rank]) << count << " " << kind << " " << share << " " << axis;
+          EXPECT_EQ(got[axis][1], sorted[axis][count - 1 - rank])
+              << count << " " << kind << " " << share << " " << axis;
+        }
       }
     }
 }
 
-// Both coordinates and both ranks at once: the same as each alone.
-TEST(ValueStream, PlacesAsValues) {
-  Rng rng(10);
-  for (const std::size_t count : {1u, 2u, 32768u, 32769u, 200000u}) {
-    std::vector<std::array<double, 2>> places(count);
-    for (auto& p : places) p = {rng.uniform(), std::floor(3 * rng.uniform())};
-    const PlaceStream stream = [&](const std::function<void(double, double)>& take) {
-      for (const auto& p : places) take(p[0], p[1]);
-    };
-    const std::array<std::uint64_t, 2> ranks{(count - 1) / 200, count - 1 - (count - 1) / 200};
-    const auto got = nth_places(stream, count, ranks);
-    for (std::size_t axis = 0; axis < 2; ++axis)
-      for (std::size_t r = 0; r < 2; ++r) {
-        const ValueStream one = [&](const std::function<void(double)>& take) {
-          for (const auto& p : places) take(p[axis]);
-        };
-        EXPECT_EQ(got[axis][r], nth_value(one, count, ranks[r])) << count << " " << axis << " " << r;
-      }
-  }
+TEST(ValueStream, TheBoxOfPlacesLeavesOutAShareOnEachSide) {
+  Places places;
+  for (int i = 0; i <= 100; ++i) places.push_back({0.0 + i, 500.0 - 2 * i});
+  const Box2 box = box_of_places(stream_of(places), places.size(), 0.02);
+  EXPECT_EQ(box.u0, 2);
+  EXPECT_EQ(box.u1, 98);
+  EXPECT_EQ(box.v0, 304);
+  EXPECT_EQ(box.v1, 496);
+}
+
+// Fewer values than were declared, or none that is a number: no value, and an end.
+TEST(ValueStream, TooFewValuesGiveNone) {
+  for (const std::size_t declared : {2u, 40000u, 400000u})
+    for (const Places& places : {Places{}, Places(50, {NAN, NAN}), Places(1, {1, 2}), Places(39000, {1, 2})}) {
+      const std::size_t values = places.empty() || std::isnan(places[0][0]) ? 0 : places.size();
+      const std::array<std::uint64_t, 2> ranks{0, declared - 1};
+      const auto got = nth_places(stream_of(places), declared, ranks);
+      for (std::size_t r = 0; r < 2; ++r)
+        EXPECT_EQ(std::isnan(got[0][r]), ranks[r] >= values) << declared << " " << places.size();
+    }
 }
 
 }  // namespace
