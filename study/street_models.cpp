@@ -10,6 +10,7 @@
 #include "engine/products/streets/classes/object_model_functions.h"
 #include "engine/products/streets/objects/object_selection.h"
 #include "engine/whole_file.h"
+#include "training/object_model_training.h"
 #include "training/pair_sigmoid.h"
 
 namespace ilot {
@@ -27,9 +28,10 @@ std::vector<CandidateClass> classes_of(const Street& street, const ObjectModel& 
   return classify_candidates(model, features, parts);
 }
 
-void learn_stated(const std::vector<Street>& streets, const std::vector<std::string>& clouds,
+void learn_stated(std::span<const Street> streets, std::span<const TrainingSample> samples, const HeldOut& from,
                   const std::filesystem::path& path) {
   ObjectModel model = read_model(path);
+  if (from.weights) learn_weights(samples, model);
   model.stated = {};
   std::vector<double> odds;
   std::vector<std::uint8_t> right;
@@ -45,8 +47,9 @@ void learn_stated(const std::vector<Street>& streets, const std::vector<std::str
   const Sigmoid fitted = fit_sigmoid(odds, right);
   model.stated = {fitted.a, fitted.b};
   model.recipe += "study_streets";
-  for (const std::string& cloud : clouds) model.recipe += " " + std::filesystem::path(cloud).filename().string();
-  model.recipe += fmt::format(" --stated {}\n{} objects\n", path.filename().string(), odds.size());
+  for (const std::string& cloud : from.clouds) model.recipe += " " + std::filesystem::path(cloud).filename().string();
+  model.recipe += fmt::format("{} --stated {}\n{} objects\n", from.weights ? " --weights" : "",
+                              path.filename().string(), odds.size());
   write_whole_file(path, object_model_text(model));
   fmt::print("\n{}: probabilities of {} objects: slope {:.3f}, offset {:.3f}\n", path.string(), odds.size(), fitted.a,
              fitted.b);

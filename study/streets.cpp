@@ -6,21 +6,22 @@
 // streets that it has not seen, with --air that for clouds from the air, with --judge MODEL another one. With --cut H,
 // each street is used twice: as it is, and without the points higher than H metres above the road. The classifier
 // learns from both, and each kind is evaluated separately. With --roles MODEL, the roles are those of that model, and
-// only the classes are learnt. With --thin N, the classes are also learnt from one point in N of each street, with
+// only the classes are learnt; with --classes MODEL the classes are those of a model, and only the roles are learnt,
+// without their weights. With --thin N, the classes are also learnt from one point in N of each street, with
 // --bare H from each street without its ground and what is higher than H, with --floor N from each street with points
 // of the ground below its objects; the roles are not, unless --all-roles is
 // given. With --in-turn, each street is used as it is and in one of these ways in turn. Where there are many streets,
 // the folds of the training keep each of them together. With --stated MODEL, that model learns what probabilities it
-// states from the streets, which it must not have been trained with, and is written again.
+// states from the streets, which it must not have been trained with, and is written again; with --weights it learns the
+// weights of the roles from them too.
 //
 // Usage: study_streets STREET.laz... [--cut H] [--bare H] [--thin N]... [--floor N] [--all-roles] [--in-turn] [--air]
-//        [--cache FOLDER] [--model FILE] [--roles MODEL] [--judge MODEL] [--stated MODEL] [--only-model | --everything
-//        | --shipped]
+//        [--cache FOLDER] [--model FILE] [--roles MODEL] [--classes MODEL] [--judge MODEL] [--stated MODEL] [--weights]
+//        [--only-model | --everything | --shipped]
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <fstream>
-#include <span>
 #include <sstream>
 #include <stdexcept>
 
@@ -30,6 +31,7 @@
 #include "kernels/core/parallel.h"
 #include "kernels/core/portable_math.h"
 #include "study/confusion.h"
+#include "study/pooled_samples.h"
 #include "study/stated.h"
 #include "study/street_models.h"
 #include "study/street_samples.h"
@@ -40,14 +42,13 @@ namespace {
 using namespace ilot;
 namespace fs = std::filesystem;
 
-constexpr std::size_t kManyStreets = 20;  // four in each fold
-
 struct Arguments {
   std::vector<std::string> clouds;
-  fs::path cache, model, roles, judged, stated;
+  fs::path cache, model, roles, classes, judged, stated;
   double cut = 0;
   std::vector<Leaving> others;  // the classes are also learnt from them
-  bool evaluate = true, four_classes = true, shipped = false, air = false, all_roles = false, in_turn = false;
+  bool evaluate = true, four_classes = true, shipped = false, air = false, all_roles = false, in_turn = false,
+       weights = false;
 };
 
 // Returns for each object that was found the object candidate that overlaps it best, with one of the four classes of
@@ -140,23 +141,6 @@ void print_trade(const std::vector<Street>& streets, const std::vector<std::vect
   }
 }
 
-// Collects the samples of all streets and keeps their blocks separate. The list repeats the streets after `different`
-// of them. With `streets_whole`, a street is one group.
-std::vector<TrainingSample> pooled(const std::vector<std::vector<TrainingSample>>& streets, std::size_t different,
-                                   bool streets_whole = false) {
-  std::vector<TrainingSample> all;
-  for (std::size_t s = 0; s < streets.size(); ++s) {
-    const auto before = static_cast<std::uint32_t>(all.size());
-    for (TrainingSample sample : streets[s]) {
-      sample.group = streets_whole ? static_cast<std::uint32_t>(s % different)
-                                   : sample.group + static_cast<std::uint32_t>(1000 * (s % different));
-      for (std::uint32_t& part : sample.parts) part += part != 0 ? before : 0;
-      all.push_back(sample);
-    }
-  }
-  return all;
-}
-
 Confusion confusion_of(const std::vector<TrainingSample>& samples, const std::vector<CandidateClass>& given) {
   Confusion m;
   for (std::size_t i = 0; i < samples.size(); ++i) ++m[samples[i].label][given[i].label];
@@ -225,14 +209,6 @@ void evaluate_model(const std::vector<Street>& streets, std::size_t different, c
   print_trade(streets, by_street);
 }
 
-std::vector<TrainingSample> samples_of(std::span<const Street> streets, std::span<const Street> others,
-                                       std::size_t different) {
-  std::vector<std::vector<TrainingSample>> lists;
-  for (const auto& kind : {streets, others})
-    for (const Street& street : kind) lists.push_back(street.samples);
-  return pooled(lists, different, different >= kManyStreets);
-}
-
 // How the model was trained, so that it can be trained again.
 std::string recipe_of(const Arguments& a, std::size_t samples) {
   std::string text = "study_streets";
@@ -242,6 +218,7 @@ std::string recipe_of(const Arguments& a, std::size_t samples) {
   if (a.in_turn) text += " --in-turn";
   if (a.all_roles) text += " --all-roles";
   if (!a.roles.empty()) text += " --roles " + a.roles.filename().string();
+  if (!a.classes.empty()) text += " --classes " + a.classes.filename().string();
   text += " --only-model --model " + a.model.filename().string() + "\n";
   return text + fmt::format("{} objects; {} folds by {}\n", samples, ObjectTrainingParams{}.folds,
                             a.clouds.size() >= kManyStreets ? "street" : "block");
@@ -251,18 +228,30 @@ std::string recipe_of(const Arguments& a, std::size_t samples) {
 // are learnt from all.
 void write_model(const std::vector<Street>& streets, const std::vector<Street>& others, const Arguments& a) {
   const std::vector<TrainingSample> all = samples_of(streets, others, a.clouds.size());
+  const auto came_from = [](const char* what, const fs::path& path, const ObjectModel& model) {
+    return fmt::format("{} of {}, which came from:\n{}", what, path.filename().string(), model.recipe);
+  };
   ObjectModel model;
-  std::string of_roles;
+  std::string others_recipe;
   if (a.roles.empty()) {
-    model = train_roles(a.all_roles ? all : samples_of(streets, {}, a.clouds.size()));
+    ObjectTrainingParams params;
+    params.role_weights = a.classes.empty();
+    model = train_roles(a.all_roles ? all : samples_of(streets, {}, a.clouds.size()), params);
   } else {
     model = read_model(a.roles);
-    of_roles = "roles of " + a.roles.filename().string() + ", which came from:\n" + model.recipe;
+    others_recipe = came_from("roles", a.roles, model);
   }
-  ObjectTrainingParams params;
-  params.classes = ClassMethod::trees;
-  train_classes(all, params, model);
-  model.recipe = recipe_of(a, all.size()) + of_roles;
+  if (a.classes.empty()) {
+    ObjectTrainingParams params;
+    params.classes = ClassMethod::trees;
+    train_classes(all, params, model);
+  } else {
+    ObjectModel classes = read_model(a.classes);
+    others_recipe += came_from("classes", a.classes, classes);
+    classes.trees = std::move(model.trees), classes.roles = model.roles, classes.stated = {};
+    model = std::move(classes);
+  }
+  model.recipe = recipe_of(a, all.size()) + others_recipe;
   write_whole_file(a.model, object_model_text(model));
   fmt::print("\n{}: {} trees of roles, {} of classes\n", a.model.string(),
              model.trees.stages[0].trees.trees() + model.trees.stages[1].trees.trees(),
@@ -304,6 +293,10 @@ Arguments read_arguments(const std::vector<std::string>& words) {
       a.others.push_back(leaving_of(words[i], words[i + 1])), ++i;
     else if (words[i] == "--roles" && i + 1 < words.size())
       a.roles = words[++i];
+    else if (words[i] == "--classes" && i + 1 < words.size())
+      a.classes = words[++i];
+    else if (words[i] == "--weights")
+      a.weights = true;
     else if (words[i] == "--judge" && i + 1 < words.size())
       a.judged = words[++i], a.evaluate = false;
     else if (words[i] == "--stated" && i + 1 < words.size())
@@ -370,7 +363,8 @@ void run(const Arguments& a) {
     evaluate(streets, different, "everything found, all features", {}, Judged::everything);
   }
   if (!a.model.empty()) write_model(streets, others, a);
-  if (!a.stated.empty()) learn_stated(streets, a.clouds, a.stated);
+  if (!a.stated.empty())
+    learn_stated(streets, samples_of(streets, {}, a.clouds.size()), {a.clouds, a.weights}, a.stated);
 }
 
 }  // namespace

@@ -273,10 +273,14 @@ void train_classes(std::span<const TrainingSample> all, const ObjectTrainingPara
 
 ObjectModel train_roles(std::span<const TrainingSample> all, const ObjectTrainingParams& params) {
   ObjectModel model;
-  LearntRoles learnt = learn_roles(all, folds_of(all, params));
+  LearntRoles learnt = learn_roles(all, folds_of(all, params), params.role_weights);
   model.trees = std::move(learnt.trees);
   model.roles = learnt.weights;
   return model;
+}
+
+void learn_weights(std::span<const TrainingSample> samples, ObjectModel& model) {
+  model.roles = weights_on(samples, model.trees);
 }
 
 ObjectModel train_object_model(std::span<const TrainingSample> all, const ObjectTrainingParams& params) {

@@ -24,6 +24,7 @@ struct ObjectTrainingParams {
   std::uint32_t folds = 5;  // of the cross-validation for the grid search
   std::uint32_t most_in_grid =
       300;  // largest number of samples of a class in the grid search; of more, as many are taken, evenly spread
+  bool role_weights = true;  // learn the weights of the roles too, from trees that are trained on the other folds
   std::uint32_t most_of_class = 900;  // largest number of samples of a class to train the classifier with
 };
 
@@ -46,6 +47,9 @@ void train_classes(std::span<const TrainingSample> samples, const ObjectTraining
 
 // Trains the roles alone, from samples with roles.
 ObjectModel train_roles(std::span<const TrainingSample> samples, const ObjectTrainingParams& params = {});
+
+// Replaces the weights of the roles by those that are learnt from samples that the model was not trained with.
+void learn_weights(std::span<const TrainingSample> samples, ObjectModel& model);
 
 // Cross-validation by groups. Returns the classification of each sample by a classifier that was trained on the samples
 // of the other folds. All steps of the training are included.

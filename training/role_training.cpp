@@ -111,7 +111,7 @@ RoleWeights weights_of(std::span<const TrainingSample> all, const std::vector<Ki
 
 }  // namespace
 
-LearntRoles learn_roles(std::span<const TrainingSample> samples, const TrainingFolds& folds) {
+LearntRoles learn_roles(std::span<const TrainingSample> samples, const TrainingFolds& folds, bool with_weights) {
   const TrainingFolds one(samples, 1);
   const ChosenSamples everything = choose(samples, one, 0, Chosen::of_fold);
   const TreeBoostingParams params = boosting_of(samples.size());  // also for the folds
@@ -119,10 +119,15 @@ LearntRoles learn_roles(std::span<const TrainingSample> samples, const TrainingF
   out.trees.stages[0] = train_stage(everything, {}, params);
   const std::vector<KindShares> first = held_out(samples, folds, {}, params);
   out.trees.stages[1] = train_stage(everything, first, params);
+  if (!with_weights) return out;
   const bool joined =
       std::any_of(samples.begin(), samples.end(), [](const TrainingSample& s) { return s.parts[0] != 0; });
   if (joined && folds.by_group()) out.weights = weights_of(samples, held_out(samples, folds, first, params));
   return out;
+}
+
+RoleWeights weights_on(std::span<const TrainingSample> samples, const RoleTrees& trees) {
+  return weights_of(samples, kind_shares(trees, features_of(samples), parts_of(samples)));
 }
 
 }  // namespace ilot

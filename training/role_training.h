@@ -16,8 +16,11 @@ struct LearntRoles {
 
 // Learns both stages of the trees from samples with roles. The second stage learns from the results of the first stage
 // for samples that the first stage has not seen: for each fold the first stage is trained on the other folds. For the
-// weights (role_weights.h) both stages are trained in the same way. The weights are learnt only where no fold splits a
-// group and where samples are joins of others.
-LearntRoles learn_roles(std::span<const TrainingSample> samples, const TrainingFolds& folds);
+// weights (role_weights.h) both stages are trained in the same way, which is nearly half of all the work. The weights
+// are learnt only if they are asked for, where no fold splits a group and where samples are joins of others.
+LearntRoles learn_roles(std::span<const TrainingSample> samples, const TrainingFolds& folds, bool with_weights);
+
+// Learns the weights from samples that the trees were not trained with.
+RoleWeights weights_on(std::span<const TrainingSample> samples, const RoleTrees& trees);
 
 }  // namespace ilot
