@@ -174,6 +174,27 @@ FoundRectangle window_between(const FlatPlate& left, const FlatPlate& right) {
   return window;
 }
 
+// Adds the windows between two open leaves through which no ray is known to have gone, and says which plates are leaves
+// of them. Other plates may be closed leaves because they are like these windows. No leaf of theirs can be closed: it
+// does not end at wall on their side.
+std::vector<bool> add_windows_between(const std::vector<FlatPlate>& plates, const LeafJudge& judge,
+                                      std::vector<FoundRectangle>& openings) {
+  std::vector<bool> is_leaf(plates.size(), false);
+  for (std::size_t i = 0; i < plates.size(); ++i)
+    for (std::size_t k = 0; k < plates.size(); ++k) {
+      if (!judge.are_about_window(plates[i], plates[k])) continue;
+      const FoundRectangle window = window_between(plates[i], plates[k]);
+      const auto overlaps = [&](const FoundRectangle& o) { return area_in_common(window.box(), o.box()) > 0; };
+      const auto lies_between = [&](const FlatPlate& p) { return overlaps(p.shape); };
+      if (std::any_of(openings.begin(), openings.end(), overlaps) ||
+          std::any_of(plates.begin(), plates.end(), lies_between))
+        continue;
+      openings.push_back(window);
+      is_leaf[i] = is_leaf[k] = true;
+    }
+  return is_leaf;
+}
+
 // The window behind a plate, with what is hidden of it from an opening that it is like.
 FoundRectangle window_behind(const FlatPlate& plate, const FoundRectangle* like, double alike) {
   FoundRectangle window = plate.shape;
@@ -275,13 +296,12 @@ void widen(const FlatPlate& plate, FoundRectangle& o) {
 std::vector<ShutterLeaf> find_shutters(const std::vector<FlatPlate>& plates, double alike, double cell,
                                        std::vector<FoundRectangle>& openings) {
   const LeafJudge judge(alike, cell);
+  const std::vector<bool> about_window = add_windows_between(plates, judge, openings);
   const ClosedPlates closed = closed_plates(plates, openings, judge);
   std::vector<ShutterLeaf> leaves;
   std::vector<FoundRectangle> windows;
-  std::vector<bool> is_leaf(plates.size(), false);
   for (std::size_t i = 0; i < plates.size(); ++i) {
     const FlatPlate& plate = plates[i];
-    const std::size_t before_it = leaves.size();
     const auto before = std::find_if(openings.begin(), openings.end(),
                                      [&](const FoundRectangle& o) { return judge.is_before(plate, o); });
     if (closed.lit[i]) {
@@ -296,27 +316,11 @@ std::vector<ShutterLeaf> find_shutters(const std::vector<FlatPlate>& plates, dou
     } else if (before != openings.end()) {
       leaves.push_back({plate.shape, LeafState::closed});
       widen(plate, *before);
-    } else if (std::any_of(openings.begin(), openings.end(),
-                           [&](const FoundRectangle& o) { return judge.is_open_leaf(plate, o); })) {
+    } else if (about_window[i] || std::any_of(openings.begin(), openings.end(),
+                                              [&](const FoundRectangle& o) { return judge.is_open_leaf(plate, o); })) {
       leaves.push_back({plate.shape, LeafState::open});
     }
-    is_leaf[i] = leaves.size() > before_it;
   }
-  // A window between two leaves through which no ray is known to have gone.
-  for (std::size_t i = 0; i < plates.size(); ++i)
-    for (std::size_t k = 0; k < plates.size(); ++k) {
-      if (closed.closed[i] || closed.closed[k] || !judge.are_about_window(plates[i], plates[k])) continue;
-      const FoundRectangle window = window_between(plates[i], plates[k]);
-      const auto overlaps = [&](const FoundRectangle& o) { return area_in_common(window.box(), o.box()) > 0; };
-      const auto lies_between = [&](const FlatPlate& p) { return overlaps(p.shape); };
-      if (std::any_of(openings.begin(), openings.end(), overlaps) ||
-          std::any_of(windows.begin(), windows.end(), overlaps) ||
-          std::any_of(plates.begin(), plates.end(), lies_between))
-        continue;
-      windows.push_back(window);
-      for (const std::size_t leaf : {i, k})
-        if (!is_leaf[leaf]) leaves.push_back({plates[leaf].shape, LeafState::open}), is_leaf[leaf] = true;
-    }
   openings.insert(openings.end(), windows.begin(), windows.end());
   return leaves;
 }

@@ -167,6 +167,44 @@ TEST(Shutters, OnePlateWithoutAnythingAlikeIsNoWindow) {
   EXPECT_EQ(drawn(wall, "bulge").size(), 1u);
 }
 
+FlatPlate plate_at(double u0, double u1, double v0, double v1, bool left, bool right) {
+  FlatPlate plate;
+  plate.shape.side(Side::left).at = u0, plate.shape.side(Side::right).at = u1;
+  plate.shape.side(Side::bottom).at = v0, plate.shape.side(Side::top).at = v1;
+  plate.shape.depth = 0.04;
+  for (const Side s : kSides) plate.wall[static_cast<std::size_t>(s)] = 1;
+  plate.wall[static_cast<std::size_t>(Side::left)] = left;
+  plate.wall[static_cast<std::size_t>(Side::right)] = right;
+  return plate;
+}
+
+// The window between two open leaves gave no echo; the closed leaves beside it are as it.
+TEST(Shutters, ClosedLeavesLikeAWindowBetweenOpenOnes) {
+  const std::vector<FlatPlate> plates{plate_at(0.5, 0.9, 1, 2.5, true, false), plate_at(1.7, 2.1, 1, 2.5, false, true),
+                                      plate_at(3, 3.8, 1, 2.5, true, true)};
+  std::vector<FoundRectangle> openings;
+  const std::vector<ShutterLeaf> leaves = find_shutters(plates, 0.04, 0.05, openings);
+  ASSERT_EQ(openings.size(), 2u);
+  EXPECT_NEAR(openings[0].box().u0, 0.9, 1e-9);
+  EXPECT_NEAR(openings[1].box().u0, 3, 1e-9);
+  ASSERT_EQ(leaves.size(), 3u);
+  EXPECT_EQ(leaves[0].state, LeafState::open);
+  EXPECT_EQ(leaves[1].state, LeafState::open);
+  EXPECT_EQ(leaves[2].state, LeafState::closed);
+}
+
+// A sign as high as half of them, and one three times as wide.
+TEST(Shutters, SignsBesideAWindowBetweenOpenLeavesAreNone) {
+  for (const Box2& sign : {Box2{3, 3.8, 1.7, 2.5}, Box2{3, 5.5, 1, 2.5}}) {
+    const std::vector<FlatPlate> plates{plate_at(0.5, 0.9, 1, 2.5, true, false),
+                                        plate_at(1.7, 2.1, 1, 2.5, false, true),
+                                        plate_at(sign.u0, sign.u1, sign.v0, sign.v1, true, true)};
+    std::vector<FoundRectangle> openings;
+    EXPECT_EQ(find_shutters(plates, 0.04, 0.05, openings).size(), 2u);
+    EXPECT_EQ(openings.size(), 1u);
+  }
+}
+
 TEST(Shutters, AFrontWithAllLeavesClosed) {
   ScannedWall wall;
   wall.wall({});
