@@ -185,7 +185,7 @@ TEST(ShapeScore, RecountingIsCountingWhereWholeLeavesGo) {
     ASSERT_EQ(index.in_leaf[leaf], leaf % 2 == 0 ? 0u : ShapeIndex::kLeaf);
   for (std::size_t s = 0; s < known.size(); ++s) {
     const std::uint32_t counted = score_shape(index, shapes()[s], params);
-    const bool fewer = counted < known[s].points, any = known[s].points > 0;
+    const bool fewer = counted<known[s].points, any = known[s].points> 0;
     EXPECT_EQ(fewer, any);
     EXPECT_EQ(recount_shape(index, shapes()[s], params, known[s], 0), counted);
   }
