@@ -7,13 +7,12 @@
 // each street is used twice: as it is, and without the points higher than H metres above the road. The classifier
 // learns from both, and each kind is evaluated separately. With --roles MODEL, the roles are those of that model, and
 // only the classes are learnt; with --classes MODEL the classes are those of a model, and only the roles are learnt,
-// without their weights. With --thin N, the classes are also learnt from one point in N of each street, with
-// --bare H from each street without its ground and what is higher than H, with --floor N from each street with points
-// of the ground below its objects; the roles are not, unless --all-roles is
-// given. With --in-turn, each street is used as it is and in one of these ways in turn. Where there are many streets,
-// the folds of the training keep each of them together. With --stated MODEL, that model learns what probabilities it
-// states from the streets, which it must not have been trained with, and is written again; with --weights it learns the
-// weights of the roles from them too.
+// without their weights. With --thin N, the classes are also learnt from one point in N of each street, with --bare H
+// from each street without its ground and what is higher than H, with --floor N from each street with points of the
+// ground below its objects; the roles are not, unless --all-roles is given. With --in-turn, each street is used as it
+// is and in one of these ways in turn. Where there are many streets, the folds of the training keep each of them
+// together. With --stated MODEL, that model learns what probabilities it states from the streets, which it must not
+// have been trained with, and is written again; with --weights it learns the weights of the roles from them too.
 //
 // Usage: study_streets STREET.laz... [--cut H] [--bare H] [--thin N]... [--floor N] [--all-roles] [--in-turn] [--air]
 //        [--cache FOLDER] [--model FILE] [--roles MODEL] [--classes MODEL] [--judge MODEL] [--stated MODEL] [--weights]
