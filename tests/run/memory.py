@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Tests that the budget determines the peak and the input does not: five times the points need the same resident
+"""Tests that the budget determines the peak and the input does not: three times the points need the same resident
 memory. tests/full/memory_growth.py takes ten times the points."""
 import pathlib
 import random
@@ -25,8 +25,8 @@ class Memory(RunTest):
         self.assertLessEqual(large, small + 3 * (many - few), f"{small >> 20} MiB at {few} points, {large >> 20} MiB at {many}")
         self.assertLessEqual(large, 96 << 20)
 
-    def test_five_times_the_points(self):
-        self.check_growth(400000, 2000000)
+    def test_three_times_the_points(self):
+        self.check_growth(400000, 1200000)
 
     def test_rows_of_60000_bytes(self):
         """Buffers are bounded in bytes. Compression of such rows needs a model of each byte, and 96M is too little for
@@ -62,7 +62,7 @@ class Memory(RunTest):
 
     def test_threads_share_the_budget(self):
         """Sixteen threads and their memory pools need no more than one thread, and find the same."""
-        path, hashes = self.district(600000), set()
+        path, hashes = self.district(400000), set()
         for memory, threads in (("96M", 16), ("96M", 1), ("2G", 2)):
             _, run_json = self.work(path, "--memory", memory, "--threads", threads, timeout=300)
             hashes.add(run_json["result_hash"])

@@ -69,7 +69,7 @@ TEST(CandidateRelations, OfATreeOfFive) {
 
 TEST(RoleTrees, PredictionsOfPartsGiveTheirJoin) {
   const auto samples = walls(200, 1), others = walls(100, 2);
-  const LearntRoles learnt = learn_roles(samples, TrainingFolds(samples, 5), true);
+  const LearntRoles learnt = learn_roles(samples, TrainingFolds(samples, 3), true);
   const auto features = features_of(others);
   const auto parts = parts_of(others);
   const auto both = kind_shares(learnt.trees, features, parts);
@@ -91,7 +91,7 @@ TEST(RoleTrees, TextAndBackAndThreads) {
   RoleTrees model;
   for (const int threads : {1, 3})
     with_threads(threads, [&] {
-      model = learn_roles(samples, TrainingFolds(samples, 5), true).trees;
+      model = learn_roles(samples, TrainingFolds(samples, 2), true).trees;
       const std::string text = text_of(model);
       if (first.empty()) first = text;
       EXPECT_EQ(text, first);
