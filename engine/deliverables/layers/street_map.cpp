@@ -18,7 +18,13 @@ namespace {
 constexpr double kMargin = 5;         // metres around the drawn content
 constexpr double kLeastSymbol = 0.3;  // metres; smaller objects are drawn with this size
 constexpr double kScaleBar = 20;      // metres
-constexpr double kTreeDot = 0.3;      // metres; radius of the dot at the trunk
+constexpr double kNumberText = 0.7;   // metres; 3.5 mm on paper at 1:200
+// Choice: legible where the sheet is printed on one page, and no larger than a house on it.
+constexpr double kLeastText = 0.8, kMostText = 4;  // metres; of the legend
+constexpr double kLegendWidth = 19;                // times the height of its text
+constexpr double kRowsOfText = 1.5;                // from row to row, times the height of the text
+constexpr double kRowsBesideLegend = 4;            // for the arrow, the note and a margin
+constexpr double kTreeDot = 0.3;                   // metres; radius of the dot at the trunk
 constexpr const char *kTree = "#2f7d32", *kTrunk = "#5d4037", *kKerb = "#b22260", *kPavement = "#e6dfd0",
                      *kRoad = "#dfe1e5";
 
@@ -130,14 +136,9 @@ std::map<std::pair<PointLabel, std::string>, std::size_t> counts_of(const Street
   return counts;
 }
 
-}  // namespace
-
-std::string street_map_svg(const StreetPlan& plan, double metres_per_unit) {
-  const Sheet sheet(plan, metres_per_unit);
-  std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.2f} {1:.2f}\">\n"
-      "<rect width=\"{0:.2f}\" height=\"{1:.2f}\" fill=\"#fbfaf7\"/>\n",
-      sheet.width(), sheet.height());
+// Everything that is drawn to scale.
+std::string content_of(const Sheet& sheet, const StreetPlan& plan, double metres_per_unit) {
+  std::string svg;
   for (const Carriageway& road : plan.carriageways) svg += road_area(sheet, road);
   for (const Pavement& pavement : plan.pavements) svg += pavement_area(sheet, pavement);
   for (const FacadePart& block : plan.blocks)
@@ -149,9 +150,95 @@ std::string street_map_svg(const StreetPlan& plan, double metres_per_unit) {
   for (const StreetKerb& kerb : plan.kerbs) svg += kerb_line(sheet, kerb);
   for (const StreetTree& tree : plan.trees) svg += tree_symbol(sheet, tree);
   for (const StreetObject& o : plan.objects) svg += symbol(sheet, o, metres_per_unit);
-  svg +=
-      fmt::format("<path d=\"M2 {0:.2f}h{1}\" stroke=\"#333\" stroke-width=\"0.4\"/>\n", sheet.height() - 2, kScaleBar);
-  return svg + "</svg>\n";
+  return svg;
+}
+
+std::string opened_svg(double width, double height) {
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.2f} {1:.2f}\">\n"
+      "<rect width=\"{0:.2f}\" height=\"{1:.2f}\" fill=\"#fbfaf7\"/>\n",
+      width, height);
+}
+
+std::string scale_bar(double y, const std::string& length) {
+  const std::string bar =
+      fmt::format("<path d=\"M2 {:.2f}h{}\" stroke=\"#333\" stroke-width=\"0.4\"/>\n", y, kScaleBar);
+  return length.empty() ? bar : bar + fmt::format("<text x=\"2\" y=\"{:.2f}\">{}</text>\n", y - 0.6, length);
+}
+
+// A kind of thing on the map: its mark in a box of 2 by 1 around the origin, and its name.
+struct LegendRow {
+  std::string mark, name;
+};
+
+// The kinds that are on the map, with their numbers.
+std::vector<LegendRow> legend_of(const StreetPlan& plan) {
+  std::vector<LegendRow> rows;
+  const auto area = [](const std::string& colour) {
+    return fmt::format("<rect x=\"-0.9\" y=\"-0.4\" width=\"1.8\" height=\"0.8\" fill=\"{}\"/>", colour);
+  };
+  const auto stroke = [](const char* look) { return fmt::format("<path d=\"M-0.9 0h1.8\" {}/>", look); };
+  const auto add = [&](const std::string& mark, const std::string& name, std::size_t count) {
+    if (count > 0) rows.push_back({mark, fmt::format("{} ({})", name, count)});
+  };
+  for (const auto& [of, count] : counts_of(plan)) add(area(colour_of(of.first)), of.second, count);
+  add(fmt::format("<circle r=\"0.45\" fill=\"{0}\" fill-opacity=\"0.25\" stroke=\"{0}\" stroke-width=\"0.06\"/>"
+                  "<circle r=\"0.12\" fill=\"{1}\"/>",
+                  kTree, kTrunk),
+      "tree, its crown", plan.trees.size());
+  add(stroke(fmt::format("stroke=\"{}\" stroke-width=\"0.12\"", kKerb).c_str()), "kerb, dashed where hidden",
+      plan.kerbs.size());
+  add(area(kPavement), "pavement", plan.pavements.size());
+  add(area(kRoad), "carriageway", plan.carriageways.size());
+  add(stroke("stroke=\"#8a8478\" stroke-width=\"0.5\""), "houses", plan.blocks.size());
+  add(stroke("stroke=\"#d8a48f\" stroke-width=\"0.2\" stroke-dasharray=\"0.4 0.3\""), "gap between houses",
+      plan.gaps.size());
+  return rows;
+}
+
+// The legend with its left end at x: an arrow to the north, the kinds, and what the numbers are.
+std::string legend_svg(const std::vector<LegendRow>& rows, double x, double text) {
+  std::string svg = fmt::format(
+      "<g transform=\"translate({:.2f} {:.2f}) scale({:.3f})\"><path d=\"M0 1.2V-1M-0.4 -0.3L0 -1L0.4 -0.3\" "
+      "fill=\"none\" "
+      "stroke=\"#222\" stroke-width=\"0.12\"/></g>\n<text x=\"{:.2f}\" y=\"{:.2f}\">North</text>\n",
+      x + text, 2 * text, text, x + 2.5 * text, 2.35 * text);
+  double y = (kRowsBesideLegend - 1) * kRowsOfText * text;
+  for (const LegendRow& row : rows) {
+    svg += fmt::format("<g transform=\"translate({:.2f} {:.2f}) scale({:.3f})\">{}</g>\n", x + text, y, text, row.mark);
+    svg += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", x + 2.5 * text, y + 0.35 * text, row.name);
+    y += kRowsOfText * text;
+  }
+  return svg + fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.2f}\">Numbers are object_id.</text>\n", x,
+                           y + 0.35 * text, 0.8 * text);
+}
+
+}  // namespace
+
+std::string street_map_svg(const StreetPlan& plan, double metres_per_unit) {
+  const Sheet sheet(plan, metres_per_unit);
+  return opened_svg(sheet.width(), sheet.height()) + content_of(sheet, plan, metres_per_unit) +
+         scale_bar(sheet.height() - 2, "") + "</svg>\n";
+}
+
+std::string street_sheet_svg(const StreetPlan& plan, double metres_per_unit) {
+  const Sheet sheet(plan, metres_per_unit);
+  const std::vector<LegendRow> rows = legend_of(plan);
+  const double least = kRowsOfText * (static_cast<double>(rows.size()) + kRowsBesideLegend);
+  const double text = std::clamp(sheet.height() / least, kLeastText, kMostText);
+  const double strip = kLegendWidth * text, height = std::max(sheet.height(), text * least);
+  std::string svg = opened_svg(sheet.width() + strip, height) + content_of(sheet, plan, metres_per_unit);
+  svg += fmt::format(
+      "<g font-family=\"sans-serif\" font-size=\"{:.2f}\" text-anchor=\"middle\" fill=\"#111\" "
+      "stroke=\"#fff\" stroke-width=\"0.15\" paint-order=\"stroke\">\n",
+      kNumberText);
+  for (const StreetObject& o : plan.objects)
+    svg += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", sheet.x(o.middle),
+                       sheet.y(o.middle) + 0.35 * kNumberText, o.id);
+  svg += fmt::format("</g>\n<g font-family=\"sans-serif\" font-size=\"{:.2f}\" fill=\"#222\">\n", text);
+  svg += legend_svg(rows, sheet.width() + text, text);
+  svg += scale_bar(height - 2, fmt::format("{:.0f} m", kScaleBar));
+  return svg + "</g>\n</svg>\n";
 }
 
 std::string street_legend_html(const StreetPlan& plan) {
@@ -174,7 +261,7 @@ std::string street_legend_html(const StreetPlan& plan) {
 }
 
 void write_street_map(const std::filesystem::path& folder, const StreetPlan& plan, double metres_per_unit) {
-  write_whole_file(folder / "streets.svg", street_map_svg(plan, metres_per_unit));
+  write_whole_file(folder / "streets.svg", street_sheet_svg(plan, metres_per_unit));
 }
 
 }  // namespace ilot

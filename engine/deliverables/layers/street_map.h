@@ -11,10 +11,13 @@ namespace ilot {
 // is up. The same plan gives the same picture on every machine.
 std::string street_map_svg(const StreetPlan& plan, double metres_per_unit);
 
+// The same as a sheet that explains itself: with the numbers of the objects, a legend, the north and the scale.
+std::string street_sheet_svg(const StreetPlan& plan, double metres_per_unit);
+
 // Returns HTML with the counts of what is on the map and the colours of the classes.
 std::string street_legend_html(const StreetPlan& plan);
 
-// Writes streets.svg, complete or not at all.
+// Writes the sheet as streets.svg, complete or not at all.
 void write_street_map(const std::filesystem::path& folder, const StreetPlan& plan, double metres_per_unit);
 
 }  // namespace ilot

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/deliverables/layers/street_map.h"
 #include "ilot/streets.h"
 #include "tests/engine/products/streets/street_runs.h"
 
@@ -110,6 +111,21 @@ TEST(StreetMap, NothingDependsOnThreadsBlocksOrderOrMemory) {
   const MapOutcome reversed = run_street(points);
   EXPECT_EQ(reversed.trees, one.trees);
   EXPECT_EQ(reversed.kerbs, one.kerbs);
+}
+
+// The sheet names every kind that is on it and no other, and numbers each object.
+TEST(StreetMap, TheSheetHasALegend) {
+  StreetPlan plan;
+  StreetObject car;
+  car.id = 17, car.label = PointLabel::car, car.class_name = "car", car.middle = {5, 5, 0}, car.length_m = 4;
+  plan.objects = {car, car};
+  plan.objects[1].id = 23, plan.objects[1].middle = {9, 5, 0};
+  const std::string sheet = street_sheet_svg(plan, 1);
+  for (const char* text : {">car (2)<", ">17<", ">23<", ">North<", ">20 m<"})
+    EXPECT_NE(sheet.find(text), std::string::npos) << text;
+  for (const char* text : {"tree", "kerb", "pavement", "houses"})
+    EXPECT_EQ(sheet.find(text), std::string::npos) << text;
+  EXPECT_NE(street_sheet_svg({}, 1).find(">North<"), std::string::npos) << "an empty plan";
 }
 
 // What is inside of an area is as without it, though the points around it lose their labels.
