@@ -115,7 +115,7 @@ void measure(const std::filesystem::path& cloud, const std::filesystem::path& wo
   clock.time("level of the ground", [&] { tiles.spread_level(ArtefactParams{}.ring_reach); });
   clock.time("points above it", [&] {
     params.mean_accumulation = tiles.mean_accumulation();
-    tiles.count_above(ArtefactParams{}.least_height, params.low_height, view);
+    tiles.count_above(ArtefactParams{}.least_height, params.low_height);
   });
   clock.time("things", [&] { street.candidates = find_object_candidates(tiles.layers(), scale, params); });
   clock.time("blocks", [&] { street.stretches = find_city_blocks(tiles.layers(), scale); });

@@ -41,6 +41,9 @@ namespace {
 using namespace ilot;
 namespace fs = std::filesystem;
 
+// Choice: two thirds of many streets teach the first stage nearly what all of them do.
+constexpr std::uint32_t kFoldsOfMany = 3;
+
 struct Arguments {
   std::vector<std::string> clouds;
   fs::path cache, model, roles, classes, judged, stated;
@@ -219,8 +222,9 @@ std::string recipe_of(const Arguments& a, std::size_t samples) {
   if (!a.roles.empty()) text += " --roles " + a.roles.filename().string();
   if (!a.classes.empty()) text += " --classes " + a.classes.filename().string();
   text += " --only-model --model " + a.model.filename().string() + "\n";
-  return text + fmt::format("{} objects; {} folds by {}\n", samples, ObjectTrainingParams{}.folds,
-                            a.clouds.size() >= kManyStreets ? "street" : "block");
+  return text + (a.clouds.size() >= kManyStreets
+                     ? fmt::format("{} objects; {} folds by street\n", samples, kFoldsOfMany)
+                     : fmt::format("{} objects; {} folds by block\n", samples, ObjectTrainingParams{}.folds));
 }
 
 // The roles of `a.roles`, or those that are learnt from the streets, with --all-roles also from the others; the classes
@@ -235,6 +239,7 @@ void write_model(const std::vector<Street>& streets, const std::vector<Street>& 
   if (a.roles.empty()) {
     ObjectTrainingParams params;
     params.role_weights = a.classes.empty();
+    if (a.clouds.size() >= kManyStreets) params.folds = kFoldsOfMany;
     model = train_roles(a.all_roles ? all : samples_of(streets, {}, a.clouds.size()), params);
   } else {
     model = read_model(a.roles);

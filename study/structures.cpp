@@ -2,7 +2,8 @@
 // Trains the model that tells what stands in the cells of streets that were scanned from the ground: trees on the
 // features of cells, from scanned scenes and the true classes of their points. Streets from the air are left out.
 // Points of no class are rooms behind windows and points between two surfaces: a cell that has no others is of a
-// facade. Usage: study_structures STREET.laz... --model FILE [--most N] [--few N] [--rounds N] [LEAVING OUT]...
+// facade. Usage: study_structures STREET.laz... --model FILE [--most N] [--few N] [--rounds N] [--depth N] [LEAVING
+// OUT]...
 //        [--check STREET.laz...]
 //        study_structures --judge MODEL [LEAVING OUT]... --check STREET.laz...
 // With --most, at most N cells of a kind are taken from each street, evenly spread. Points are also left out: with
@@ -21,6 +22,7 @@
 
 #include "engine/pass/index.h"
 #include "engine/products/streets/ground/structure_model.h"
+#include "engine/products/streets/ground/structures.h"
 #include "engine/products/streets/make_streets.h"
 #include "engine/products/streets/street_tiles.h"
 #include "engine/proof/point_stream.h"
@@ -33,8 +35,6 @@ namespace {
 
 using namespace ilot;
 namespace fs = std::filesystem;
-
-constexpr double kLeastHeight = 1.8;  // metres; cells that are lower are not decided (StructureParams::least_wall)
 
 // Points of a cell that are so high: of each kind, and of no class.
 constexpr std::size_t kNoClass = kStandingKinds;
@@ -67,14 +67,16 @@ struct Cloud {
 
 using CellPoints = std::vector<KindPoints>;  // of the cells of a tile
 
+// The points of each cell by kind: those that are as high as a wall (StructureParams::least_wall), so that a crown over
+// a car is a crown, and where there are none all that are decided.
 std::vector<CellPoints> true_points(PointReader& reader, const StreetTiles& tiles) {
   const CloudInfo& info = reader.info();
   const ExtraField kind = *find_integer_field(info.layout, "true_class");
   const TileRaster& raster = tiles.raster();
   const LatticeMap lattice(info.layout, raster.unit);
   const Cells& cells = tiles.cells();
-  const Height least = raster.scale.units(kLeastHeight);
-  std::vector<CellPoints> out(raster.grid.count(), CellPoints(std::size_t{cells.side()} * cells.side()));
+  const Height least = raster.scale.units(kLeastDecided), wall = raster.scale.units(StructureParams{}.least_wall);
+  std::vector<CellPoints> out(raster.grid.count(), CellPoints(std::size_t{cells.side()} * cells.side())), low = out;
   std::vector<Image> terrain;
   for (std::size_t t = 0; t < out.size(); ++t) terrain.push_back(layer_tile(cells.layers, "terrain", t));
   for_each_record(reader, [&](const std::byte* record) {
@@ -87,9 +89,13 @@ std::vector<CellPoints> true_points(PointReader& reader, const StreetTiles& tile
     const int k = kind_of(static_cast<std::uint32_t>(integer_of(record, kind)));
     if (tile == kNoTile || k < 0) return;
     const std::size_t cell = cells.cell_of(static_cast<std::size_t>(y % side * side + x % side), raster.grid.side);
-    if (terrain[tile].values[cell] == kNoHeight || height_of(p.z) - terrain[tile].values[cell] < least) return;
-    ++out[tile][cell][static_cast<std::size_t>(k)];
+    const Height ground = terrain[tile].values[cell];
+    if (ground == kNoHeight || height_of(p.z) - ground < least) return;
+    ++(height_of(p.z) - ground < wall ? low : out)[tile][cell][static_cast<std::size_t>(k)];
   });
+  for (std::size_t tile = 0; tile < out.size(); ++tile)
+    for (std::size_t cell = 0; cell < out[tile].size(); ++cell)
+      if (out[tile][cell] == KindPoints{}) out[tile][cell] = low[tile][cell];
   return out;
 }
 
@@ -110,7 +116,7 @@ Cloud cells_of_cloud(const fs::path& cloud, const Leaving& leaving) {
     const std::vector<CellPoints> truth = true_points(*readers[0], tiles);
     for (std::size_t tile = 0; tile < truth.size(); ++tile) {
       const CellMeasures around = cell_measures_around(cells, tile);
-      const StandingRows rows = standing_rows(around, cells.scale, cells.factor, cells.scale.units(kLeastHeight));
+      const StandingRows rows = standing_rows(around, cells.scale, cells.factor, cells.scale.units(kLeastDecided));
       out.rows.insert(out.rows.end(), rows.rows.begin(), rows.rows.end());
       for (const std::uint32_t cell : rows.cells) out.points.push_back(truth[tile][cell_of_tile(around, cell)]);
     }
@@ -151,8 +157,8 @@ using Table = std::array<std::array<std::uint64_t, kStandingKinds>, kStandingKin
 
 void print_table(const Table& table) {
   constexpr std::array<const char*, kStandingKinds> kNames{"facade", "roof", "crown", "object"};
-  fmt::print("points of 1.8 m and more, percent; rows are the truth\n{:8} {:>8} {:>8} {:>8} {:>8}\n", "", "facade",
-             "roof", "crown", "object");
+  fmt::print("points of cells that are decided, percent; rows are the truth\n{:8} {:>8} {:>8} {:>8} {:>8}\n", "",
+             "facade", "roof", "crown", "object");
   for (std::size_t k = 0; k < kStandingKinds; ++k) {
     std::uint64_t all = 0;
     for (const std::uint64_t n : table[k]) all += n;
@@ -189,7 +195,7 @@ struct Arguments {
 
 Arguments read_arguments(const std::vector<std::string>& words) {
   Arguments a;
-  a.trees.rounds = 100;
+  a.trees.rounds = 100, a.trees.drawn_of = 8;
   std::vector<std::string>* list = &a.clouds;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (words[i] == "--model" && i + 1 < words.size())
@@ -202,6 +208,8 @@ Arguments read_arguments(const std::vector<std::string>& words) {
       a.few = std::stoul(words[++i]);
     else if (words[i] == "--rounds" && i + 1 < words.size())
       a.trees.rounds = std::stoul(words[++i]);
+    else if (words[i] == "--depth" && i + 1 < words.size())
+      a.trees.depth = std::stoul(words[++i]);
     else if (is_leaving(words[i]) && i + 1 < words.size())
       a.leavings.push_back(leaving_of(words[i], words[i + 1])), ++i;
     else if (words[i] == "--check")
@@ -211,7 +219,8 @@ Arguments read_arguments(const std::vector<std::string>& words) {
   }
   if (a.judged.empty() ? a.clouds.empty() || a.model.empty() : a.checked.empty())
     throw std::runtime_error(
-        "usage: study_structures STREET.laz... --model FILE [--most N] [--few N] [--rounds N] [--cut H] [--bare H] "
+        "usage: study_structures STREET.laz... --model FILE [--most N] [--few N] [--rounds N] [--depth N] [--cut H] "
+        "[--bare H] "
         "[--thin N] [--check STREET.laz...], or study_structures --judge MODEL --check STREET.laz...");
   return a;
 }
@@ -229,8 +238,8 @@ StructureModel trained(const Arguments& a) {
   const TreeSamples all{standing_features(), kStandingKinds, samples.rows, samples.kinds};
   StructureModel model;
   model.trees = boost_trees(all, a.trees);
-  model.recipe = fmt::format("study_structures{}{} --most {} --few {} --rounds {}\n{} cells\n", names, left_out, a.most,
-                             a.few, a.trees.rounds, samples.kinds.size());
+  model.recipe = fmt::format("study_structures{}{} --most {} --few {} --rounds {} --depth {}\n{} cells\n", names,
+                             left_out, a.most, a.few, a.trees.rounds, a.trees.depth, samples.kinds.size());
   write_whole_file(a.model, structure_model_text(model));
   fmt::print("{}: {} cells, {} trees\n", a.model.string(), samples.kinds.size(), model.trees.trees());
   return model;

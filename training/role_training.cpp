@@ -16,7 +16,7 @@ namespace {
 // some hundred streets.
 constexpr std::size_t kManySamples = 100'000;
 // Choice: one level more than for classes, as there are a hundred times more samples; with many streets two.
-constexpr std::size_t kRoleDepth = 5, kDeepRoleDepth = 6;  // of a tree
+constexpr std::size_t kRoleDepth = 5, kDeepRoleDepth = 7;  // of a tree
 // Choice: more and smaller steps, at the cost of a third more trees.
 constexpr std::size_t kManyRounds = 200;
 constexpr double kSmallStep = 0.1;  // factor of what a tree adds

@@ -55,6 +55,7 @@ ObjectCandidateParams candidate_params(const StreetsSettings& s, const RasterSca
   const double pixels = view == StreetView::air ? kPixelsFromAir : 1;
   params.separation.least_area = std::max(s.least_area, pixels * scale.pixel * scale.pixel);
   params.separation.rise = s.rise;
+  params.columns_apart = view == StreetView::street;
   params.mean_accumulation = mean_accumulation;
   return params;
 }
@@ -225,7 +226,7 @@ FoundStreet find_street(const Store& store, const StreetsSettings& settings, con
   put_on_terrain(tiles.layers(), tiles.cells(), artefacts.highest_kerb, artefacts.least_height);
   tiles.spread_level(artefacts.ring_reach);
   const ObjectCandidateParams params = candidate_params(settings, scale, street.view, tiles.mean_accumulation());
-  tiles.count_above(settings.least_height, params.low_height, street.view);
+  tiles.count_above(settings.least_height, params.low_height);
   street.candidates = find_object_candidates(tiles.layers(), scale, params);
   street.stretches = find_city_blocks(tiles.layers(), scale, blocks_params(settings.advanced));
   return street;

@@ -306,7 +306,9 @@ void StreetTiles::take_out_overhead() const {
     layers().write("accumulation", tile, accumulation);
   });
   for (const char* layer : {"clear", "clear points", "shape"}) layers().drop(layer);
-  for (std::size_t m = 0; m < kCellMeasures; ++m) layers().drop(cell_measure_layer(static_cast<CellMeasure>(m)));
+  for (std::size_t m = 0; m < kCellMeasures; ++m)
+    if (const auto measure = static_cast<CellMeasure>(m); measure != CellMeasure::top)
+      layers().drop(cell_measure_layer(measure));
 }
 
 double StreetTiles::mean_accumulation() const {
@@ -346,11 +348,10 @@ void StreetTiles::spread_level(double reach) const {
   layers().drop("bare");
 }
 
-void StreetTiles::count_above(double least_height, double low_height, StreetView view) const {
+void StreetTiles::count_above(double least_height, double low_height) const {
   const Height least = raster().scale.units(least_height), low_below = raster().scale.units(low_height),
                clearance = raster().scale.units(kClearance);
   const auto bin = static_cast<std::uint32_t>(std::max(1, raster().scale.units(raster().scale.bin())));
-  const std::uint32_t bins = view == StreetView::street ? kOccupancyBins : 0;
   for_each_tile(raster().grid, [&](std::size_t tile) {
     const Image level = layer_tile(layers(), "level", tile), structure = layer_tile(cells_.layers, "structure", tile);
     Image above = filled_image(kSide, kSide, 0), low = above, occupancy = above;
@@ -362,7 +363,7 @@ void StreetTiles::count_above(double least_height, double low_height, StreetView
         return;
       ++above.values[pixel];
       low.values[pixel] += z - ground < low_below;
-      if (const std::uint32_t i = static_cast<std::uint32_t>(z - ground) / bin; i < bins)
+      if (const std::uint32_t i = static_cast<std::uint32_t>(z - ground) / bin; i < kOccupancyBins)
         occupancy.values[pixel] |= 1 << i;
     });
     const Image of_cells = structures_beside(cells_, tile);

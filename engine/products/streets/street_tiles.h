@@ -78,9 +78,9 @@ class StreetTiles {
   void spread_level(double reach) const;
 
   // Writes three layers. "above": the number of points at least least_height metres above the level. "low": the number
-  // of those that are lower than low_height. "occupancy": the bins (RasterScale::bin) that contain such points; it is
-  // empty from the air, where no side is seen. Points in crowns are left out.
-  void count_above(double least_height, double low_height, StreetView view) const;
+  // of those that are lower than low_height. "occupancy": the bins (RasterScale::bin) that contain such points.
+  // Points in crowns are left out.
+  void count_above(double least_height, double low_height) const;
 
  private:
   void draw(std::size_t tile);

@@ -17,6 +17,9 @@ constexpr double kSlopeOfCells = 1;  // metres a metre of a cell's side
 // Derived: the same for ground of 12 %. There a car along the slope is filled to its lower end only.
 constexpr double kSteepOfCells = 0.36;  // metres a metre of a cell's side
 
+// Choice: where a cloud is cut low, a pixel of a wall has few points, and its highest is below the cut.
+constexpr Height kQuartersOfTop = 3;  // quarters of the highest point of a cell
+
 bool is_building(Height structure) {
   return structure == static_cast<Height>(Structure::wall) || structure == static_cast<Height>(Structure::roof);
 }
@@ -32,7 +35,8 @@ Image parts_around(const TileLayers& layers, const Cells& cells, std::size_t til
   Image filled = layer_around(layers, "filled", tile, halo);
   const Image range = layer_around(layers, "range", tile, halo);
   const Image terrain = layer_around(cells.layers, "terrain", tile, cell_halo),
-              structure = layer_around(cells.layers, "structure", tile, cell_halo);
+              structure = layer_around(cells.layers, "structure", tile, cell_halo),
+              top = layer_around(cells.layers, "top", tile, cell_halo);
   const std::uint32_t offset = cell_halo * f - halo;
   for (std::uint32_t y = 0; y < filled.height; ++y)
     for (std::uint32_t x = 0; x < filled.width; ++x) {
@@ -41,7 +45,7 @@ Image parts_around(const TileLayers& layers, const Cells& cells, std::size_t til
       Part part = Part::other;
       if (filled.values[i] != kNoHeight && terrain.values[cell] != kNoHeight) {
         const Height above = filled.values[i] - terrain.values[cell];
-        if (above >= high && is_building(structure.values[cell]))
+        if (is_building(structure.values[cell]) && above >= std::min(high, kQuartersOfTop * top.values[cell] / 4))
           part = Part::building;
         else if (above >= high && range.values[i] == kNoHeight)
           part = Part::unseen;
@@ -93,6 +97,7 @@ void find_street_mask(const TileLayers& layers, const Cells& cells, const Street
                   layers.write("foot", tile, terrain_of_pixels(cells, tile, 0));
                 },
                 {24, reach});
+  cells.layers.drop("top");
 }
 
 void put_on_terrain(const TileLayers& layers, const Cells& cells, double farthest, double least_height) {

@@ -6,15 +6,15 @@
 namespace ilot {
 
 struct StreetMaskParams {
-  double building_height =
-      1.5;                    // metres above the terrain; in a cell of a building, pixels that are higher belong to it
-  double fixed_reach = 0.15;  // metres; what stands so near to a building is fixed to it
-  double on_ground = 0.1;     // metres above the terrain; what is lower is ground and never fixed to a building
+  double building_height = 1.5;  // metres above the terrain; in a cell of a building, pixels that are higher belong to
+                                 // it, and where the cell is lower than a third more, pixels above three quarters of it
+  double fixed_reach = 0.15;     // metres; what stands so near to a building is fixed to it
+  double on_ground = 0.1;        // metres above the terrain; what is lower is ground and never fixed to a building
 };
 
-// Decides where ground and objects on it are. Reads the layers "range" and "filled" of pixels, "terrain" and
-// "structure" of cells. Writes "mask": 1 for all pixels with a height that do not belong to a building, whatever they
-// are connected to, and "foot", the height of the terrain.
+// Decides where ground and objects on it are. Reads the layers "range" and "filled" of pixels, "terrain",
+// "structure" and "top" of cells, and drops the last. Writes "mask": 1 for all pixels with a height that do not belong
+// to a building, whatever they are connected to, and "foot", the height of the terrain.
 void find_street_mask(const TileLayers& layers, const Cells& cells, const StreetMaskParams& params = {});
 
 // Puts the ground on the terrain: where "bare" is farther than `farthest` metres from it, as on terraces that the

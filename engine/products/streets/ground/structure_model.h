@@ -14,6 +14,9 @@ namespace ilot {
 // What stands in a tall cell.
 enum class StandingKind : std::uint8_t { facade, roof, crown, object };
 constexpr std::size_t kStandingKinds = 4;
+// Choice: higher than what pavements carry in rows (planters, bins, benches), and low enough for clouds that are cut at
+// little more than a metre.
+constexpr double kLeastDecided = 1;  // metres above the terrain; cells that are lower are not decided
 
 struct StructureModel {
   std::string recipe;  // how it was made; lines

@@ -101,14 +101,13 @@ struct Building {
   std::int64_t side() const { return x1 < x0 ? 0 : std::max(x1 - x0, y1 - y0) + 1; }
 };
 
-// Whether a pixel is upright in one of the cells around cell i of images with their halo.
-bool near_upright(const CellMeasures& around, std::uint32_t i) {
-  constexpr std::uint32_t kReach = kStandingReaches[1];
-  const Image& upright = around[static_cast<std::size_t>(CellMeasure::upright)];
-  const std::uint32_t x = i % upright.width, y = i / upright.width;
-  for (std::uint32_t v = y - kReach; v <= y + kReach; ++v)
-    for (std::uint32_t u = x - kReach; u <= x + kReach; ++u)
-      if (const Height n = upright.values[std::size_t{v} * upright.width + u]; n != kNoHeight && n > 0) return true;
+// Whether a measure is `least` or more in one of the cells within `reach` of cell i of images with their halo.
+bool any_near(const CellMeasures& around, CellMeasure measure, Height least, std::uint32_t i, std::uint32_t reach) {
+  const Image& image = around[static_cast<std::size_t>(measure)];
+  const std::uint32_t x = i % image.width, y = i / image.width;
+  for (std::uint32_t v = y - reach; v <= y + reach; ++v)
+    for (std::uint32_t u = x - reach; u <= x + reach; ++u)
+      if (const Height n = image.values[std::size_t{v} * image.width + u]; n != kNoHeight && n >= least) return true;
   return false;
 }
 
@@ -152,14 +151,21 @@ class StructureFinder {
   Image learnt(std::size_t tile) const {
     const CellMeasures around = cell_measures_around(cells_, tile);
     const Image shape = layer_tile(layers_, "shape", tile), top = layer_tile(layers_, "top", tile);
-    const StandingRows rows = standing_rows(around, cells_.scale, cells_.factor, wall_);
+    const StandingRows rows =
+        standing_rows(around, cells_.scale, cells_.factor, cells_.scale.units(params_.least_learnt_wall));
     const std::vector<StandingKind> kinds = standing_kinds(default_structure_model(), rows);
     Image out = filled_image(shape.width, shape.height, 0);
     for (std::size_t k = 0; k < kinds.size(); ++k) {
       const std::size_t i = cell_of_tile(around, rows.cells[k]);
       Structure structure = structure_of(kinds[k], static_cast<StandingForm>(shape.values[i]), top.values[i]);
       // In a sparse cloud no pixel of a wall is upright; where there is none nearby, nothing hangs over.
-      if (structure == Structure::overhang && !near_upright(around, rows.cells[k])) structure = Structure::wall;
+      if (structure == Structure::overhang &&
+          !any_near(around, CellMeasure::upright, 1, rows.cells[k], kStandingReaches[1]))
+        structure = Structure::wall;
+      // What is low beside something high leans on a wall or stands before it. A wall that is cut has nothing high.
+      if (structure == Structure::wall && top.values[i] < wall_ &&
+          any_near(around, CellMeasure::top, least_, rows.cells[k], kStandingReaches.back()))
+        structure = Structure::none;
       out.values[i] = static_cast<Height>(structure);
     }
     return out;

@@ -2,18 +2,21 @@
 #pragma once
 #include "engine/products/streets/ground/cells.h"
 #include "engine/products/streets/ground/standing_form.h"
+#include "engine/products/streets/ground/structure_model.h"
 #include "ilot/settings.h"
 
 namespace ilot {
 
 struct StructureParams {
-  double least_height = 2.5;     // metres above the terrain; buildings and crowns are higher
-  double least_wall = 1.8;       // metres above the terrain; walls of buildings are higher, also where the cloud is cut
-  double around = 1.2;           // metres; cells within it vote
-  double least_length = 3;       // metres; a building is longer
-  double height_of_house = 4.5;  // metres; a building that is lower is as long as `length_of_house`
-  double length_of_cut_wall = 7;  // metres; the same where all is lower than least_height; longer than a van
-  double length_of_house = 15;    // metres; longer than a lorry
+  double least_height = 2.5;  // metres above the terrain; buildings and crowns are higher
+  double least_wall = 1.8;    // metres above the terrain; walls of buildings are higher, seen from the air
+  // The same from the street, where clouds are cut low: higher than planters, bins and benches.
+  double least_learnt_wall = kLeastDecided;  // metres
+  double around = 1.2;                       // metres; cells within it vote
+  double least_length = 3;                   // metres; a building is longer
+  double height_of_house = 4.5;              // metres; a building that is lower is as long as `length_of_house`
+  double length_of_cut_wall = 7;             // metres; the same where all is lower than least_height; longer than a van
+  double length_of_house = 15;               // metres; longer than a lorry
   // The same from the street, where a lorry is an object by the trees: a wall that is cut below 4.5 m has gaps.
   double length_of_learnt_house = 9;  // metres
 };
@@ -22,7 +25,8 @@ struct StructureParams {
 // the terrain) of cells, from the street also the other measures of cells (standing_features.h). Writes "structure"
 // (Structure).
 //  - From the street trees that were learnt say of each cell that is as high as a wall whether it is of a facade, a
-//    roof, a crown or an object (structure_model.h). A cell of a facade is a wall where it has upright pixels or is
+//    roof, a crown or an object (structure_model.h). Cells lower than least_wall are walls only where nothing nearby
+//    reaches least_height, as in a cloud that is cut. A cell of a facade is a wall where it has upright pixels or is
 //    low, or where no pixel nearby is upright (a sparse cloud), and else an overhang: what is high near a wall, as a
 //    balcony or an awning. Below it is the street.
 //  - From the air a wall is what is upright, a roof is where cells on planes outnumber those of volumes around a cell,

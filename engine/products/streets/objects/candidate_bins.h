@@ -9,7 +9,7 @@
 namespace ilot {
 
 // Sets the features from neighbour_bins on, of the candidate of each label, in the order of the labels. A bin is a
-// voxel: one pixel of the image, and one height bin of its occupancy. Where no occupancy is known all features are 0.
+// voxel: one pixel of the image, and one height bin of its occupancy.
 // Of a level bar of one bin the two smallest eigenvalues are equal but for rounding, so level_normal says nothing
 // there, as upright_axis where the two largest are equal. O(pixels) and one eigenproblem for each candidate.
 void set_bin_features(const PixelLabels& labels, const ComponentImages& images, const RasterScale& scale,

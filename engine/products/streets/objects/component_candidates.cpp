@@ -77,8 +77,10 @@ ComponentCandidates candidates_of_component(const Patch& patch, std::uint32_t co
   const std::vector<Occupancy> occupancy = occupancy_of(images);
   ComponentCandidates out{separate_artefacts(images.own, scale, params.separation), {}};
   const std::uint32_t least = scale.area(params.separation.least_area);
-  const std::vector<ColumnCut> cuts =
-      cut_columns(columns_of(occupancy, out.labels.width, out.labels.height, scale, params.columns), least, out.labels);
+  std::vector<ColumnCut> cuts;
+  if (params.columns_apart)
+    cuts = cut_columns(columns_of(occupancy, out.labels.width, out.labels.height, scale, params.columns), least,
+                       out.labels);
   out.candidates = describe(out.labels, images, scale, params);
   const auto parts = static_cast<std::uint32_t>(out.candidates.size());
   const Joins joins = joins_of(out.labels, images.own, 2 * gap_reach(scale, params),

@@ -28,7 +28,7 @@ enum class CandidateFeature : std::uint8_t {
   rise,          // metres; its top less the top of its partner in the join
   joined_fill,   // `fill` of the join that contains it
   joined_length,
-  upright_share,  // share of the height bins up to its top that contain a point of its pixels; 0 with no occupancy
+  upright_share,  // share of the height bins up to its top that contain a point of its pixels
   evenness,       // over the bins up to its top: mean number of pixels with a point divided by the greatest
   free_run,       // metres; longest run of bins in which it has points and touches nothing
   touch_share,    // share of its bins in which it touches another candidate
@@ -47,7 +47,7 @@ enum class CandidateFeature : std::uint8_t {
   foot_length,   // metres; of the rectangle with the moments of its pixels with a point in the lowest third of its
                  // height
   foot_width,
-  foot_share,   // share of its pixels with a point in the lowest third; 0 with no occupancy, as the next three
+  foot_share,   // share of its pixels with a point in the lowest third
   waist_share,  // in the middle third
   head_share,   // in the highest third
   solid_share,  // share of the bins of its pixels up to its top that contain a point
@@ -63,7 +63,7 @@ enum class CandidateFeature : std::uint8_t {
   pixel_size,      // metres
   root_share,      // its share of the area of all that is joined with it in the end
   root_length,     // metres; length of all of that
-  // Of how its occupied bins lie; 0 with no occupancy (candidate_bins.h). The spread is the covariance of their
+  // Of how its occupied bins lie (candidate_bins.h). The spread is the covariance of their
   // middles.
   neighbour_bins,  // mean number of its occupied bins that touch one of them, of 26
   linear,          // largest less middle eigenvalue of the spread, divided by the largest
@@ -98,6 +98,7 @@ struct ColumnParams {
 struct ObjectCandidateParams {
   SeparationParams separation;
   ColumnParams columns;
+  bool columns_apart = true;     // whether columns are cut out; from the air the sides of things are hardly seen
   double largest = 40;           // square metres; no join is larger
   double nearest_apart = 0.2;    // metres; parts with a narrower gap between them may be one object
   double low_height = 2;         // metres above the ground

@@ -218,6 +218,28 @@ TEST(StreetsProduct, GroundBehindTheHouses) {
   EXPECT_EQ(street.stretches.size(), 2u);
 }
 
+// A street between walls, a point each 5 cm, of a cloud that is cut so high above the ground.
+std::vector<Index3> cut_street(std::int64_t cut) {
+  auto points = street_points(0, 3);
+  std::erase_if(points, [](const Index3& p) { return p.y < 660000600 || p.y >= 660011400; });
+  Rng rng(9);
+  for (std::int64_t x = 0; x < 24000; x += 50)
+    for (std::int64_t z = 0; z < cut; z += 50)
+      for (const std::int64_t y : {600, 11400})
+        points.push_back({700000000 + x, 660000000 + y + static_cast<std::int64_t>(rng.below(15)), 30000 + z});
+  return points;
+}
+
+// A cloud that is cut low above the ground still has its walls: they are no objects.
+TEST(StreetsProduct, WallsThatAreCutLow) {
+  for (const std::int64_t cut : {1400, 1800, 2400, 4000}) {
+    const test::CloudStore store(cut_street(cut));
+    const FoundStreet street = find_street(store.store(), {}, {});
+    EXPECT_EQ(boxes_of(street), 3u) << cut;
+    for (const ObjectCandidate& t : street.candidates) EXPECT_LT(t.length, 5) << cut << " " << t.x << " " << t.y;
+  }
+}
+
 // Clouds that hold no street: a clear end, nothing thrown.
 TEST(StreetsProduct, CloudsWithoutAStreet) {
   std::vector<Index3> sparse, wall;
