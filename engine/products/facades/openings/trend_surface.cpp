@@ -208,6 +208,14 @@ std::size_t points_before(const std::vector<FormPoint>& points, const TrendSurfa
   }));
 }
 
+// Whether two forms lie nowhere farther apart than leaves stand out. A form that few places carry swings elsewhere.
+bool lie_close(const TrendSurface& a, const TrendSurface& b) {
+  for (const double u : {0.0, a.width / 2, a.width})
+    for (const double v : {0.0, a.height / 2, a.height})
+      if (std::abs(a.at(u, v) - b.at(u, v)) > kFlatRelief) return false;
+  return true;
+}
+
 // Whether a form shows everywhere: in every strip of the wall that is as wide as a long run there are points near it.
 // The wall behind leaves shows above, below and beside each of them; a house that stands farther back does not.
 bool shows_everywhere(const std::vector<FormPoint>& points, const TrendSurface& form, double within, bool along_wall) {
@@ -236,7 +244,7 @@ TrendSurface trend_surface(const RaySamples& samples) {
   const TrendSurface behind = form_of(samples, long_runs);
   if (!behind.found) return form;
   const double out = mean_before(form, behind), scatter = std::max(kModeBin, behind.noise);
-  if (out <= std::max(kLeastStep, kApartOfNoise * scatter) || out > kFlatRelief) return form;
+  if (out <= std::max(kLeastStep, kApartOfNoise * scatter) || !lie_close(form, behind)) return form;
   const double within = std::min(out / 2, kFormKept * scatter);
   if (!shows_everywhere(points, behind, within, true) || !shows_everywhere(points, behind, within, false)) return form;
   // What stands before it is leaves where it ends; else it is a wall too, that of a house that stands farther out.
