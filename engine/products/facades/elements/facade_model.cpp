@@ -156,7 +156,7 @@ void drop_leaves(const std::vector<ShutterLeaf>& leaves, std::vector<FoundRectan
 }
 
 // The leaves of shutters. Openings that they hide wholly or in part are added or widened.
-std::vector<ShutterLeaf> leaves_of(const RaySamples& samples, const std::vector<FlatPlate>& plates,
+std::vector<ShutterLeaf> leaves_of(const RaySamples& samples, const FlatPlates& plates,
                                    const std::vector<StandingLeaf>& standing, const FacadeParams& params,
                                    std::vector<FoundRectangle>& openings) {
   const double alike = params.regular.alike;
@@ -187,7 +187,7 @@ std::vector<ElementCandidate> candidates_of(const RaySamples& samples, const Fac
                                             const SparseFindings& sparse, std::vector<UnseenArea>& unseen,
                                             FacadeSteps* steps) {
   std::vector<FoundRectangle> openings, relief, stones, large;
-  std::vector<FlatPlate> plates;
+  FlatPlates plates;
   std::vector<StandingLeaf> standing;
   const std::array<std::function<void()>, 6> searches{
       [&] { large = find_large_relief(samples, params.large); },

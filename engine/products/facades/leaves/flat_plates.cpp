@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 
+#include "engine/products/facades/leaves/relief_cells.h"
 #include "engine/products/facades/openings/trend_surface.h"
 #include "engine/products/facades/openings/wall_means.h"
 #include "engine/products/facades/rays/cell_bands.h"
@@ -18,8 +20,6 @@ namespace {
 
 // Derived: at the middle between both, a point in fifteen is on the wrong side.
 constexpr double kRiseOfNoise = 3;  // times the scatter of the wall
-// Choice: half of a narrow window; narrower leaves are not told from surrounds and pipes.
-constexpr double kNarrowestPlate = 0.2;  // metres
 // Choice: as kSamePlane in relief.cpp: louvres and panels of a leaf are less deep.
 constexpr double kOnePlate = 0.01;  // metres between neighbouring cells of one plate
 // Derived: a majority; what stands before a leaf may hide the ends of the others.
@@ -28,24 +28,16 @@ constexpr double kStraightPlate = 0.5;  // share of rows and columns that end at
 constexpr double kPlateFill = 0.75;  // share of its box
 // Choice: as kStrayWall in shallow_openings.cpp.
 constexpr double kStrayHole = 0.15;  // share of the cells of a square in which there may be something else
-// Choice: the width of a narrow pier.
-constexpr double kAboutPlate = 0.3;  // metres about a plate that are looked at for its sides and the wall
+// Derived: 2 % of the points of a wall with normal noise are farther out.
+constexpr double kSurroundOfNoise = 2;  // times the scatter of the wall
+// Choice: half of the 30 cm beside a plate that a surround of 9 cm takes; the side of a leaf takes less.
+constexpr double kLeastSurround = 0.15;  // share of the points beside a plate
 // Choice: sharp and averaged edges differ by a cell, a tenth of a narrow leaf.
-constexpr double kMostOfPlate = 0.8;  // share of a plate that another one of the same leaf covers
-// Choice: louvres and fittings of a leaf stand out less, sills more.
-constexpr double kBeforePlate = 0.04;  // metres before a plate from which on something is not a part of it
-// Choice: a leaf 4 cm before the wall hides twice that from an oblique ray; sills hide more.
-constexpr double kUnseenBeside = 0.1;          // metres beside a plate that may be hidden before the wall begins
+constexpr double kMostOfPlate = 0.8;           // share of a plate that another one of the same leaf covers
 constexpr std::uint64_t kMostAbout = 1 << 16;  // points of that; more do not improve the result
 constexpr double kFaceOfPlate = 0.01;          // Derived: kLeastFace in relief.cpp
 
 using enum WallCells::What;
-
-// The wall in cells, with the mean distance from the form of what lies before it.
-struct ReliefCells {
-  WallCells cells;
-  std::vector<float> out;
-};
 
 void mark_relief(const RaySamples& samples, const TrendSurface& form, double rise, std::int64_t r0, std::int64_t r1,
                  ReliefCells& relief) {
@@ -146,33 +138,33 @@ double straight_at_top(const CellRegion& region, const CellBox& box, std::int64_
   return found / all;
 }
 
-// The share of the lines across a side that meet the wall beyond it. What was not seen over more than a few centimetres
-// above or below may belong to the plate, and so may what something farther before the wall hides: a sill, a lintel.
-double wall_beyond(const ReliefCells& relief, const CellBox& b, double hiding, Side side) {
-  const WallCells& cells = relief.cells;
-  const bool u = along_u(side);
-  const auto reach = static_cast<std::int64_t>(kAboutPlate / cells.cell) + 1;
-  const auto gap = std::max<std::int64_t>(1, std::llround(kUnseenBeside / cells.cell));
-  double found = 0, lines = 0;
-  for (std::int64_t i = u ? b.r0 : b.c0; i <= (u ? b.r1 : b.c1); ++i, ++lines) {
-    std::int64_t unseen = 0;
-    for (std::int64_t k = 1; k <= reach && unseen <= gap; ++k) {
-      const std::int64_t c = side == Side::left ? b.c0 - k : side == Side::right ? b.c1 + k : i;
-      const std::int64_t r = side == Side::bottom ? b.r0 - k : side == Side::top ? b.r1 + k : i;
-      if (c < 0 || r < 0 || c >= cells.columns || r >= cells.rows || cells.at(c, r) == kThrough) break;
-      if (relief.out[static_cast<std::size_t>(r * cells.columns + c)] > static_cast<float>(hiding)) break;
-      unseen += !u && cells.at(c, r) == kUnknown;
-      if (cells.at(c, r) != kSolid) continue;
-      ++found;
-      break;
-    }
+// The share of the cells of its box that a region has; more than one where a few cells lie outside of it.
+double fill_of(const CellRegion& region, const CellBox& b) {
+  return static_cast<double>(region.cells.size()) / static_cast<double>(b.columns() * b.rows());
+}
+
+// How far before the wall a surround beside a plate stands, if there is one: points to the left or right of the plate
+// that are neither as far out as it nor the wall.
+std::optional<double> surround_beside(Rays& near, int thinned, const Box2& box, double level, double out,
+                                      double scatter) {
+  const double low = std::max(out / 4, kSurroundOfNoise * scatter), high = out - std::max(kOnePlate, scatter);
+  const Box2 around = box.grown(kAboutPlate);
+  std::vector<double> outs;
+  std::size_t all = 0;
+  for (const Ray& ray : near) {
+    const double u = ray.at.u, v = ray.at.v, w = static_cast<double>(ray.at.w) - level;
+    if (!is_kept(ray, thinned) || !around.contains({u, v})) continue;
+    if (v < box.v0 || v > box.v1 || (u >= box.u0 && u <= box.u1)) continue;
+    ++all;
+    if (w > low && w < high) outs.push_back(w);
   }
-  return found / lines;
+  if (static_cast<double>(outs.size()) < kLeastSurround * static_cast<double>(all) || outs.empty()) return {};
+  return upper_median(outs);
 }
 
 // The points about a plate as a wall with one plane before it, levelled. A sill or a lintel ends the plate as the wall
-// does.
-FacadeSite site_about_plate(const RaySamples& samples, const Box2& box, double level, double out) {
+// does, and so does a surround. `scatter` is that of the wall.
+FacadeSite site_about_plate(const RaySamples& samples, const Box2& box, double level, double out, double scatter) {
   constexpr std::uint32_t kWallId = 1, kPlateId = 2;
   const FacadeSite& whole = samples.site();
   FacadeSite site;
@@ -190,11 +182,14 @@ FacadeSite site_about_plate(const RaySamples& samples, const Box2& box, double l
   Rays near = samples.near(around);
   const auto counts = [&](const Ray& ray) { return around.contains(samples.crossing(ray, 0)); };
   const int thinned = thinning_level(near, kMostAbout, counts);
+  const std::optional<double> surround = surround_beside(near, thinned, box, level, out, scatter);
+  if (surround) site.epsilon = std::min(site.epsilon, (out - *surround) / 2);
   for (const Ray& ray : near) {
     if (!counts(ray) || !is_kept(ray, thinned)) continue;
     FacadePoint p = ray.at;
     p.w -= static_cast<float>(level);
     if (p.w > static_cast<float>(out + kBeforePlate) && p.w <= static_cast<float>(2 * kFlatRelief)) p.w = 0;
+    if (surround && p.w < static_cast<float>(out - site.epsilon)) p.w = std::min(p.w, 0.0F);
     const double w = p.w;
     p.plane = std::abs(w - out) <= site.epsilon ? kPlateId : std::abs(w) <= out / 2 ? kWallId : 0;
     site.points.push_back(p);
@@ -207,7 +202,7 @@ FacadeSite site_about_plate(const RaySamples& samples, const Box2& box, double l
 FoundRectangle located_plate(const RaySamples& samples, const TrendSurface& form, const Box2& box, double out,
                              double cell) {
   const double level = form.at((box.u0 + box.u1) / 2, (box.v0 + box.v1) / 2);
-  const FacadeSite site = site_about_plate(samples, box, level, out);
+  const FacadeSite site = site_about_plate(samples, box, level, out, form.noise);
   const RaySamples about(site);
   const std::array<std::uint32_t, 1> ids{2};
   const double reach = std::max(2 * cell, std::min(0.12, std::min(box.width(), box.height()) / 2));
@@ -226,31 +221,39 @@ FoundRectangle located_plate(const RaySamples& samples, const TrendSurface& form
   return plate;
 }
 
+// The box of a region that has the form of a plate.
+std::optional<CellBox> plate_box(const CellRegion& region, std::int64_t columns) {
+  const CellBox b = box_of(region, columns);
+  const double fill = fill_of(region, b);
+  if (fill < kPlateFill || straight_share(region, b, columns) < kStraightPlate ||
+      straight_at_top(region, b, columns) < kStraightPlate)
+    return {};
+  return b;
+}
+
 // The plates that are marked. Whether the wall begins beside them is looked up in `about`.
 std::vector<FlatPlate> marked_plates(const RaySamples& samples, const TrendSurface& form, const ReliefCells& relief,
                                      const ReliefCells& about) {
   const WallCells& cells = relief.cells;
-  std::vector<bool> obstacles(cells.what.size());
-  for (std::size_t i = 0; i < obstacles.size(); ++i) obstacles[i] = cells.what[i] != kRelief;
+  const double apart = std::max(kOnePlate, form.noise);
+  const std::vector<bool> is_pier = pier_cells(about, apart);
+  std::vector<bool> obstacles = pier_cells(relief, apart);
+  for (std::size_t i = 0; i < obstacles.size(); ++i) obstacles[i] = obstacles[i] || cells.what[i] != kRelief;
   const auto side = std::max<std::int64_t>(3, std::llround(kNarrowestPlate / cells.cell));
   std::vector<FlatPlate> found;
-  for (const CellRegion& region :
-       plates_of(relief, covered_by_squares(cells, obstacles, side, kStrayHole), std::max(kOnePlate, form.noise))) {
+  for (const CellRegion& region : plates_of(relief, covered_by_squares(cells, obstacles, side, kStrayHole), apart)) {
     if (static_cast<std::int64_t>(region.cells.size()) < side * side) continue;
-    const CellBox b = box_of(region, cells.columns);
-    const double fill = static_cast<double>(region.cells.size()) / static_cast<double>(b.columns() * b.rows());
-    if (fill < kPlateFill || straight_share(region, b, cells.columns) < kStraightPlate ||
-        straight_at_top(region, b, cells.columns) < kStraightPlate)
-      continue;
+    const std::optional<CellBox> b = plate_box(region, cells.columns);
+    if (!b) continue;
     std::vector<float> outs;
     for (const std::uint32_t i : region.cells) outs.push_back(relief.out[i]);
     const double out = upper_median(outs);
-    const Box2 box{static_cast<double>(b.c0) * cells.cell, static_cast<double>(b.c1 + 1) * cells.cell,
-                   static_cast<double>(b.r0) * cells.cell, static_cast<double>(b.r1 + 1) * cells.cell};
+    const Box2 box{static_cast<double>(b->c0) * cells.cell, static_cast<double>(b->c1 + 1) * cells.cell,
+                   static_cast<double>(b->r0) * cells.cell, static_cast<double>(b->r1 + 1) * cells.cell};
     FlatPlate plate{located_plate(samples, form, box, out, cells.cell), {}};
-    plate.shape.fill = std::min(1.0, fill);
+    plate.shape.fill = std::min(1.0, fill_of(region, *b));
     if (std::min(plate.shape.box().width(), plate.shape.box().height()) < kNarrowestPlate) continue;
-    for (const Side s : kSides) plate.wall[static_cast<std::size_t>(s)] = wall_beyond(about, b, out + kBeforePlate, s);
+    for (const Side s : kSides) plate.wall[static_cast<std::size_t>(s)] = wall_beyond(about, is_pier, *b, out, s);
     found.push_back(plate);
   }
   return found;
@@ -277,7 +280,7 @@ void add_averaged(std::vector<FlatPlate>&& averaged, std::vector<FlatPlate>& fou
 
 }  // namespace
 
-std::vector<FlatPlate> find_flat_plates(const RaySamples& samples) {
+FlatPlates find_flat_plates(const RaySamples& samples) {
   const WallCells cells = wall_grid(samples.site());
   const TrendSurface form = trend_surface(samples);
   const double rise = std::max(kLeastStep, kRiseOfNoise * form.noise);
@@ -290,14 +293,14 @@ std::vector<FlatPlate> find_flat_plates(const RaySamples& samples) {
   const double step = std::max(means.step, kStepOfNoise * means.scatter);
   if (step >= rise) {
     relief = without_gaps_in(relief);
-    return marked_plates(samples, form, relief, relief);
+    return {marked_plates(samples, form, relief, relief), relief};
   }
   ReliefCells averaged = relief;
   mark_by_means(means, step, rise, averaged);
   relief = without_gaps_in(relief), averaged = without_gaps_in(averaged);
   std::vector<FlatPlate> found = marked_plates(samples, form, relief, averaged);
   add_averaged(marked_plates(samples, form, averaged, averaged), found);
-  return found;
+  return {std::move(found), std::move(averaged)};
 }
 
 }  // namespace ilot

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "engine/products/facades/leaves/relief_cells.h"
 #include "engine/products/facades/openings/openings.h"
 
 namespace ilot {
@@ -19,11 +20,17 @@ struct FlatPlate {
   bool ends_at(Side side) const { return wall[static_cast<std::size_t>(side)] >= 0.5; }
 };
 
+// The plates of a wall, and what its rays show about them.
+struct FlatPlates {
+  std::vector<FlatPlate> plates;
+  ReliefCells relief;
+};
+
 // Finds rectangles whose points lie at one depth, up to 15 cm before the form of the wall, and through which no rays
 // go. What lies less than three standard deviations of the wall before it is the wall; on rough walls the means of
 // points about each cell show nearer plates (wall_means.h), whose edges are less sharp. A sill or a lintel ends a plate
 // and hides whether it goes on. Strips narrower than 20 cm or three cells are left out. The depth of a plate is that of
 // its plane. O(points).
-std::vector<FlatPlate> find_flat_plates(const RaySamples& samples);
+FlatPlates find_flat_plates(const RaySamples& samples);
 
 }  // namespace ilot

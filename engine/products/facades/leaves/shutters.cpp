@@ -20,6 +20,8 @@ constexpr double kOver = 0.5;  // share of a plate that an opening takes, or of 
 constexpr double kWidthOfRow = 1.5;  // times the width of another window of its row, or that part of it
 // Choice: a leaf closes half of its window, or less on a narrow pier.
 constexpr double kLeastBetweenLeaves = 1, kMostBetweenLeaves = 4;  // widths of a leaf between the two of a window
+// Derived: a majority; between two plates there may be another one of which something hides a part.
+constexpr double kMostRelief = 0.5;  // share of a window between open leaves before which something stands
 // Choice: lower plates without any opening beside them may be quoins, signs and panels.
 constexpr double kLeastAlone = 0.8;  // metres, height
 // Choice: two alike are a pair of boards; three are a row of windows.
@@ -174,11 +176,12 @@ FoundRectangle window_between(const FlatPlate& left, const FlatPlate& right) {
   return window;
 }
 
-// Adds the windows between two open leaves through which no ray is known to have gone, and says which plates are leaves
-// of them. Other plates may be closed leaves because they are like these windows. No leaf of theirs can be closed: it
-// does not end at wall on their side.
-std::vector<bool> add_windows_between(const std::vector<FlatPlate>& plates, const LeafJudge& judge,
+// Adds the windows between two open leaves through which no ray is known to have gone and before which nothing stands,
+// and says which plates are leaves of them. Other plates may be closed leaves because they are like these windows. No
+// leaf of theirs can be closed: it does not end at wall on their side.
+std::vector<bool> add_windows_between(const FlatPlates& found, const LeafJudge& judge,
                                       std::vector<FoundRectangle>& openings) {
+  const std::vector<FlatPlate>& plates = found.plates;
   std::vector<bool> is_leaf(plates.size(), false);
   for (std::size_t i = 0; i < plates.size(); ++i)
     for (std::size_t k = 0; k < plates.size(); ++k) {
@@ -187,7 +190,8 @@ std::vector<bool> add_windows_between(const std::vector<FlatPlate>& plates, cons
       const auto overlaps = [&](const FoundRectangle& o) { return area_in_common(window.box(), o.box()) > 0; };
       const auto lies_between = [&](const FlatPlate& p) { return overlaps(p.shape); };
       if (std::any_of(openings.begin(), openings.end(), overlaps) ||
-          std::any_of(plates.begin(), plates.end(), lies_between))
+          std::any_of(plates.begin(), plates.end(), lies_between) ||
+          relief_share(found.relief, window.box()) > kMostRelief)
         continue;
       openings.push_back(window);
       is_leaf[i] = is_leaf[k] = true;
@@ -293,10 +297,11 @@ void widen(const FlatPlate& plate, FoundRectangle& o) {
 
 }  // namespace
 
-std::vector<ShutterLeaf> find_shutters(const std::vector<FlatPlate>& plates, double alike, double cell,
+std::vector<ShutterLeaf> find_shutters(const FlatPlates& found, double alike, double cell,
                                        std::vector<FoundRectangle>& openings) {
+  const std::vector<FlatPlate>& plates = found.plates;
   const LeafJudge judge(alike, cell);
-  const std::vector<bool> about_window = add_windows_between(plates, judge, openings);
+  const std::vector<bool> about_window = add_windows_between(found, judge, openings);
   const ClosedPlates closed = closed_plates(plates, openings, judge);
   std::vector<ShutterLeaf> leaves;
   std::vector<FoundRectangle> windows;

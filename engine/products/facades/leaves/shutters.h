@@ -28,7 +28,7 @@ struct ShutterLeaf {
 //
 // Adds the windows behind closed leaves to the openings; their outline is that of the leaves, with the head of the
 // opening in their row where it is an arch. Returns the leaves.
-std::vector<ShutterLeaf> find_shutters(const std::vector<FlatPlate>& plates, double alike, double cell,
+std::vector<ShutterLeaf> find_shutters(const FlatPlates& found, double alike, double cell,
                                        std::vector<FoundRectangle>& openings);
 
 }  // namespace ilot

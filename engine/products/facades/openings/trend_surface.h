@@ -22,7 +22,11 @@ struct TrendSurface {
 
 // Fits the form by least squares, in several rounds, each with the points near the most frequent distance from the form
 // of the round before: panes and joints lie behind the wall, and only what lies before that distance gives the scatter.
-// Not found where there are too few points. O(points).
+// Leaves that cover most of a wall are the most frequent distance, but they end after the size of a window. The form is
+// therefore also fitted to those points alone whose surface goes on over more than 3 m along the wall or upwards. It is
+// taken where it lies behind the other one, by more than leaves that are told from a wall stand out and nowhere by more
+// than leaves do, where it shows in each strip of 3 m of the wall, and where most of what stands before it does not go
+// on so far: the wall of a house that stands farther out does. Not found where there are too few points. O(points).
 TrendSurface trend_surface(const RaySamples& samples);
 
 }  // namespace ilot

@@ -148,11 +148,18 @@ TEST(Shutters, WhatElseLiesOnAWallIsNone) {
       {"a board between two windows, of another height", {{2, 0, 2, 2.5, 1.5, 2.1}}},
       {"quoins",
        {{2, 0, 0, 0.5, 0.4, 0.8}, {2, 0, 0, 0.5, 1.3, 1.7}, {2, 0, 0, 0.5, 2.2, 2.6}, {2, 0, 0, 0.5, 3.1, 3.5}}},
+      {"two pilasters on one backing", {{2, 0.02, 1.95, 2.55, 0, 4}, {2, 0, 1.97, 2.2, 0, 4}, {2, 0, 2.32, 2.55, 0, 4}}},
+      {"panels on one board",
+       {{2, 0.02, 0.6, 5.7, 0.4, 1.3},
+        {2, 0, 0.8, 1.9, 0.5, 1.2},
+        {2, 0, 2.14, 3.24, 0.5, 1.2},
+        {2, 0, 3.48, 4.58, 0.5, 1.2}}},
       {"a downpipe", {{2, 0, 2.2, 2.31, 0, 4}}}};
   for (const Other& other : others) {
     ScannedWall wall = barred({kFirst, kMiddle, kLast});
     std::uint32_t plane = 2;
-    for (const Sheet& p : other.plates) wall.block(p.low_a, p.high_a, p.low_b, p.high_b, 0.04, plane++);
+    for (const Sheet& p : other.plates)
+      wall.block(p.low_a, p.high_a, p.low_b, p.high_b, p.at > 0 ? p.at : 0.04, plane++);
     EXPECT_EQ(drawn(wall, "window").size(), 3u) << other.what;
     EXPECT_TRUE(drawn(wall, "shutter").empty()) << other.what;
   }
@@ -183,7 +190,7 @@ TEST(Shutters, ClosedLeavesLikeAWindowBetweenOpenOnes) {
   const std::vector<FlatPlate> plates{plate_at(0.5, 0.9, 1, 2.5, true, false), plate_at(1.7, 2.1, 1, 2.5, false, true),
                                       plate_at(3, 3.8, 1, 2.5, true, true)};
   std::vector<FoundRectangle> openings;
-  const std::vector<ShutterLeaf> leaves = find_shutters(plates, 0.04, 0.05, openings);
+  const std::vector<ShutterLeaf> leaves = find_shutters({plates, {}}, 0.04, 0.05, openings);
   ASSERT_EQ(openings.size(), 2u);
   EXPECT_NEAR(openings[0].box().u0, 0.9, 1e-9);
   EXPECT_NEAR(openings[1].box().u0, 3, 1e-9);
@@ -193,6 +200,22 @@ TEST(Shutters, ClosedLeavesLikeAWindowBetweenOpenOnes) {
   EXPECT_EQ(leaves[2].state, LeafState::closed);
 }
 
+// The wall between two plates, or other leaves of which too little is seen for a plate, is no window between open
+// leaves.
+TEST(Shutters, WhatStopsRaysIsNoWindowBetweenOpenLeaves) {
+  const std::vector<FlatPlate> plates{plate_at(0.5, 0.9, 1, 2.5, true, false), plate_at(1.7, 2.1, 1, 2.5, false, true)};
+  for (const WallCells::What what : {WallCells::kUnknown, WallCells::kThrough, WallCells::kSolid, WallCells::kRelief}) {
+    ReliefCells relief;
+    relief.cells.cell = 0.1, relief.cells.columns = 30, relief.cells.rows = 30;
+    relief.cells.what.assign(900, what);
+    relief.out.assign(900, 0);
+    std::vector<FoundRectangle> openings;
+    const bool stands = what == WallCells::kRelief;
+    EXPECT_EQ(find_shutters({plates, relief}, 0.04, 0.05, openings).size(), stands ? 0u : 2u);
+    EXPECT_EQ(openings.size(), stands ? 0u : 1u);
+  }
+}
+
 // A sign as high as half of them, and one three times as wide.
 TEST(Shutters, SignsBesideAWindowBetweenOpenLeavesAreNone) {
   for (const Box2& sign : {Box2{3, 3.8, 1.7, 2.5}, Box2{3, 5.5, 1, 2.5}}) {
@@ -200,7 +223,7 @@ TEST(Shutters, SignsBesideAWindowBetweenOpenLeavesAreNone) {
                                         plate_at(1.7, 2.1, 1, 2.5, false, true),
                                         plate_at(sign.u0, sign.u1, sign.v0, sign.v1, true, true)};
     std::vector<FoundRectangle> openings;
-    EXPECT_EQ(find_shutters(plates, 0.04, 0.05, openings).size(), 2u);
+    EXPECT_EQ(find_shutters({plates, {}}, 0.04, 0.05, openings).size(), 2u);
     EXPECT_EQ(openings.size(), 1u);
   }
 }
