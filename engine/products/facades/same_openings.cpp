@@ -9,14 +9,11 @@
 #include <vector>
 
 #include "engine/products/facades/elements/facade_elements.h"
+#include "engine/products/facades/same_wall.h"
 
 namespace ilot {
 namespace {
 
-// Choice: the value that joins facades side by side (10 degrees).
-constexpr double kParallel = 0.985;  // cosine of the angle between two facades of one wall, at least
-// Choice: the reveals of usual walls with what stands before them; a loggia is deeper.
-constexpr double kWall = 0.3;  // metres between the planes of two facades of one wall, at most
 // Derived: more than half, so that an opening has one partner only.
 constexpr double kMostOf = 0.5;  // share of the smaller opening that two have in common
 
@@ -67,14 +64,14 @@ OnFacade on_facade(const Facade& f, const std::array<Vec3, 4>& corners, double m
 }
 
 bool face_alike(const Facade& a, const Facade& b) {
-  return dot(a.out, b.out) >= kParallel;
+  return dot(a.out, b.out) >= kOneWallCosine;
 }
 
 // Whether most of an area of a facade is that of an opening of another sheet of its wall, or of most of this opening
 // where it may be the smaller one.
 bool is_same(const Facade& own, const DrawnOpening& area, const DrawnOpening& other, double unit, bool or_of_other) {
   const OnFacade p = on_facade(own, area.corners, unit), q = on_facade(own, other.corners, unit);
-  if (std::abs(p.w - q.w) > kWall) return false;
+  if (std::abs(p.w - q.w) > kOneWallDepth) return false;
   const double least = or_of_other ? std::min(area_of(p.box), area_of(q.box)) : area_of(p.box);
   return common_area(p.box, q.box) > kMostOf * least;
 }

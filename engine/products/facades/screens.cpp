@@ -6,15 +6,13 @@
 #include <cstdint>
 
 #include "engine/products/facades/openings/wall_cells.h"
+#include "engine/products/facades/same_wall.h"
 
 namespace ilot {
 namespace {
 
-// Choice: the value that joins facades side by side (10 degrees), as in same_openings.cpp.
-constexpr double kFacesAlike = 0.985;  // cosine of the angle between two walls, at least
-// Choice: as kWall in same_openings.cpp: reveals are less deep. Scaffolds of 0.6 to 1.2 m stand 0.3 m before a wall;
-// rooms, loggias and arcades are deeper than 2 m.
-constexpr double kNearestBehind = 0.3, kFarthestBehind = 2;  // metres from a screen to the wall behind it
+// Choice: scaffolds of 0.6 to 1.2 m stand 0.3 m before a wall; rooms, loggias and arcades are deeper.
+constexpr double kFarthestBehind = 2;  // metres from a screen to the wall behind it
 // Derived: more than half.
 constexpr double kAlongScreen = 0.5;  // share of its length with the wall behind it
 // Choice: openings take up to half of a front, and of what is seen through them little lies at one depth; an arcade
@@ -24,7 +22,7 @@ constexpr double kPassedShare = 1.0 / 3;  // share of the cells of a screen in w
 }  // namespace
 
 double depth_behind(const WallGroup& front, const WallGroup& wall, double metres_per_unit) {
-  if (dot(front.axes.out, wall.axes.out) < kFacesAlike) return 0;
+  if (dot(front.axes.out, wall.axes.out) < kOneWallCosine) return 0;
   const auto place = [&](double u) {
     const Vec3 off = metres_per_unit * (wall.axes.origin - front.axes.origin) + u * wall.axes.right;
     return Place2{dot(off, front.axes.right), -dot(off, front.axes.out)};
@@ -34,7 +32,7 @@ double depth_behind(const WallGroup& front, const WallGroup& wall, double metres
   if (to - from <= kAlongScreen * front.width) return 0;
   // Where the middle of the common part is, since the two need not be quite parallel.
   const double depth = a.v + (b.v - a.v) * ((from + to) / 2 - a.u) / (b.u - a.u);
-  return depth >= kNearestBehind && depth <= kFarthestBehind ? depth : 0;
+  return depth >= kOneWallDepth && depth <= kFarthestBehind ? depth : 0;
 }
 
 bool is_screen(const RaySamples& samples, double behind) {
