@@ -73,6 +73,7 @@ struct ViewedHole {
   std::map<SiteStation, HoleView> views;
   std::vector<bool> inside;  // per cell of the box: it belongs to the hole
   double wall = 0;           // cells of the wall around it
+  std::vector<bool> behind;  // per cell of the box: a ray through it ended behind the wall
 };
 
 Box2 box_in_metres(const CellBox& box, double cell) {
@@ -111,7 +112,9 @@ void note(const FacadeSite& site, const Ray& ray, bool on_wall, Place2 p, double
   HoleView& view = h.views[ray.station];
   if (view.stopped.empty()) view.stopped.assign(h.inside.size(), false);
   if (w > site.epsilon) view.stopped[at] = true;
-  if (w < -site.epsilon && !on_wall && h.inside[at]) ++view.behind;
+  if (w >= -site.epsilon || on_wall || !h.inside[at]) return;
+  ++view.behind;
+  h.behind[at] = true;
 }
 
 void look_near(const RaySamples& samples, double cell, ViewedHole& h) {
@@ -194,7 +197,8 @@ bool crosses(const ViewedHole& h, const HoleView& view, double cell) {
   return stopped_share(h, view, rays_a_cell) <= kMostStopped;
 }
 
-bool is_crossed(const ViewedHole& h, std::span<const std::uint64_t> about, double cell) {
+// Sets whether rays crossed a hole, and which part of it.
+void set_crossed(std::span<const std::uint64_t> about, double cell, ViewedHole& h) {
   int crossing = 0;
   double behind = 0, expected = 0;
   bool known = false;
@@ -207,7 +211,9 @@ bool is_crossed(const ViewedHole& h, std::span<const std::uint64_t> about, doubl
     known |= !about.empty() && about[station] >= kGround;
     ++crossing;
   }
-  return crossing > 0 && (known || crossing > 1 || behind >= std::max(kFewestBehind, kLeastBehind * expected));
+  const bool by_station = crossing > 0 && (known || crossing > 1);
+  h.hole.crossed = by_station || (crossing > 0 && behind >= std::max(kFewestBehind, kLeastBehind * expected));
+  if (h.hole.crossed && !by_station) h.hole.shown = shown_part(h.hole.box, h.behind, cell);
 }
 
 // The hole of a region, with what is around it; no result if it ends where the wall ends or is mostly seen.
@@ -231,6 +237,7 @@ std::optional<ViewedHole> viewed_hole(const WallCells& cells, CellRegion region,
   h.hole.box = box_of(region, cells.columns);
   h.box = box_in_metres(h.hole.box, cells.cell);
   h.inside.assign(static_cast<std::size_t>(h.hole.box.columns() * h.hole.box.rows()), false);
+  h.behind.assign(h.inside.size(), false);
   double filled = 0;
   for (const std::int64_t i : region.cells) {
     const std::int64_t c = i % cells.columns - h.hole.box.c0, r = i / cells.columns - h.hole.box.r0;
@@ -282,7 +289,7 @@ void look(const RaySamples& samples, const WallCells& cells, std::vector<ViewedH
   if (holes.empty()) return;
   for (ViewedHole& h : holes) count_wall(cells, h), look_near(samples, cells.cell, h);
   const std::vector<std::uint64_t> about = look_far(samples, cells.cell, holes);
-  for (ViewedHole& h : holes) h.hole.crossed = is_crossed(h, about, cells.cell);
+  for (ViewedHole& h : holes) set_crossed(about, cells.cell, h);
 }
 
 // Finds which holes rays crossed that only bars divide: all panes of a window, where they crossed it as a whole.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Holes in the points of a wall: openings that gave no echo, and places that no ray reached.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "engine/products/facades/openings/wall_cells.h"
@@ -15,6 +16,8 @@ struct WallHole {
   bool straight = false;  // its sides are straight: it may be an opening
   bool empty = false;     // nothing was seen in most of it, not even something before the wall
   bool crossed = false;   // rays crossed it, and few of them came back: nothing stood before it
+  // The part that rays are known to have crossed, in cells, where this is not all of it.
+  std::optional<CellBox> shown;
 };
 
 // A hole that is no known opening: it is drawn as not seen.
@@ -36,8 +39,15 @@ struct UnseenArea {
 // to the station (RaySamples::far_points). Where points of the street are missing from the cloud, what stood there may
 // be missing too; then a hole is crossed only if some rays ended in it behind the wall, on its reveals, or if the rays
 // of two stations crossed it. Where no station is known, all rays are taken to be of one that nothing else is known of:
-// then rays that ended behind the wall must show it. O(points).
+// then rays that ended behind the wall must show it. Where they are spread over most of a hole and end on a line far
+// from one of its sides, the hole is one up to this line. O(points).
 std::vector<WallHole> find_holes(const RaySamples& samples, const WallCells& cells, double least_size);
+
+// Internal to find_holes (shown_part.cpp): the part of a hole that is known to be crossed, where only rays that ended
+// behind the wall show that it is: up to straight ends of these rays that are far from the sides of the hole. `behind`
+// says for each cell of the box of the hole, row by row, whether such a ray crossed it; `cell` is the side of a cell in
+// metres. Nothing where these rays are not spread over the hole, as those that ended on its reveals. O(cells).
+std::optional<CellBox> shown_part(const CellBox& hole, const std::vector<bool>& behind, double cell);
 
 // The outer ring of the cells of a hole, or its box where it is straight.
 UnseenArea area_of(const WallHole& hole, const WallCells& cells);
