@@ -166,7 +166,7 @@ std::string scale_bar(double y, const std::string& length) {
   return length.empty() ? bar : bar + fmt::format("<text x=\"2\" y=\"{:.2f}\">{}</text>\n", y - 0.6, length);
 }
 
-// A kind of thing on the map: its mark in a box of 2 by 1 around the origin, and its name.
+// A kind of thing on the map: its symbol in a box of 2 by 1 around the origin, and its name.
 struct LegendRow {
   std::string mark, name;
 };

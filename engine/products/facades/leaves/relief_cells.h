@@ -11,7 +11,7 @@ namespace ilot {
 // Choice: the width of a narrow pier.
 inline constexpr double kAboutPlate = 0.3;  // metres about a plate that are looked at for its sides and the wall
 
-// Choice: half of a narrow window; narrower leaves are not told from surrounds and pipes.
+// Choice: half of a narrow window; narrower leaves cannot be distinguished from surrounds and pipes.
 inline constexpr double kNarrowestPlate = 0.2;  // metres
 
 // Choice: louvres and fittings of a leaf stand out less, sills more.

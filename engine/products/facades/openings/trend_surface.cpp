@@ -31,7 +31,7 @@ constexpr double kLongRun = 3;  // metres
 constexpr double kOneSurface = 0.01;  // metres between neighbouring cells
 // Derived: the difference of two means of four points has a standard deviation of 0.7 of that of a point; two of them.
 constexpr double kOneSurfaceOfNoise = 1.4;  // times the noise
-// Derived: as kRiseOfNoise in flat_plates.cpp: leaves that stand out less are not told from the wall.
+// Derived: as kRiseOfNoise in flat_plates.cpp: leaves that stand out less cannot be distinguished from the wall.
 constexpr double kApartOfNoise = 3;      // times the scatter of the wall
 constexpr double kMostOnLongRuns = 0.5;  // Derived: a majority; share of the points of leaves
 // Choice: leaves with surrounds leave a fifth of a storey at the least; half of that, since a scan is uneven.

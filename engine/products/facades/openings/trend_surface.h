@@ -24,9 +24,10 @@ struct TrendSurface {
 // of the round before: panes and joints lie behind the wall, and only what lies before that distance gives the scatter.
 // Leaves that cover most of a wall are the most frequent distance, but they end after the size of a window. The form is
 // therefore also fitted to those points alone whose surface goes on over more than 3 m along the wall or upwards. It is
-// taken where it lies behind the other one, by more than leaves that are told from a wall stand out and nowhere by more
-// than leaves do, where it shows in each strip of 3 m of the wall, and where most of what stands before it does not go
-// on so far: the wall of a house that stands farther out does. Not found where there are too few points. O(points).
+// taken where it lies behind the other one, by more than the least distance of leaves that can be distinguished from a
+// wall, nowhere by more than leaves do, where it shows in each strip of 3 m of the wall, and where most of what stands
+// before it does not go on so far: the wall of a house that stands farther out does. Not found where there are too few
+// points. O(points).
 TrendSurface trend_surface(const RaySamples& samples);
 
 }  // namespace ilot
