@@ -86,7 +86,9 @@ void set_band_features(const PixelLabels& labels, const ComponentImages& images,
     for (const std::size_t next : {i + 1, i + w}) {  // a pixel with a label is never on the edge of the image
       if (labels.of[next] != labels.of[i]) continue;
       const double step = std::abs(static_cast<double>(images.own.values[next]) - images.own.values[i]);
-      ++of.pairs, of.level += step<pixel / 2, of.stepped += step> 2 * pixel;
+      ++of.pairs;
+      if (step < pixel / 2) ++of.level;
+      if (step > 2 * pixel) ++of.stepped;
     }
   }
   for (std::size_t c = 0; c < all.size(); ++c) write(all[c], scale, candidates[c]);
