@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <vector>
@@ -15,6 +16,10 @@ namespace {
 
 // Choice: wheels, bonnets, window sills, the heads of those who sit, cars and pedestrians, vans, what is higher.
 constexpr std::array<double, kHeightBands - 1> kBandEnds = {0.3, 0.6, 1.0, 1.4, 1.8, 2.4};  // metres
+
+// Choice: people and cars have no such gap between their foot and their top, unless they were hardly seen, and crowns
+// and awnings are farther above them.
+constexpr double kClearAbove = 1;  // metres
 
 // The pixels of a candidate with a point in one band, from its first pixel. Sums of whole numbers are exact.
 struct Band {
@@ -37,6 +42,7 @@ double distance(const Band& a, const Band& b) {
 struct Bands {
   double x0 = 0, y0 = 0;
   Band all;
+  Occupancy any = 0;
   std::array<Band, kHeightBands> bands;
   double pairs = 0, level = 0, stepped = 0;  // of pixels side by side
 };
@@ -51,6 +57,18 @@ std::array<Occupancy, kHeightBands> masks_of(const RasterScale& scale) {
   return masks;
 }
 
+// The upper side of the bins from the lowest one with a point to the one above which kClearAbove is empty; what lies
+// above all bins is at `highest`.
+double own_top(Occupancy any, const RasterScale& scale, double highest) {
+  const auto gap = static_cast<std::uint32_t>(std::ceil(kClearAbove / scale.bin()));
+  const auto lowest = static_cast<std::uint32_t>(std::countr_zero(any));
+  for (std::uint32_t bin = lowest, last = lowest; bin < kOccupancyBins; ++bin) {
+    if ((any >> bin & 1) != 0) last = bin;
+    if (bin - last >= gap) return std::min(highest, (last + 1) * scale.bin());
+  }
+  return highest;
+}
+
 void write(const Bands& of, const RasterScale& scale, ObjectCandidate& c) {
   const auto set = [&](CandidateFeature first, std::size_t band, double v) {
     c.features[static_cast<std::size_t>(first) + band] = v;
@@ -62,6 +80,7 @@ void write(const Bands& of, const RasterScale& scale, ObjectCandidate& c) {
     set(CandidateFeature::band_width, b, r.width);
     set(CandidateFeature::band_offset, b, scale.pixel * distance(of.bands[b], of.all));
   }
+  c.own_top = own_top(of.any, scale, c.features[static_cast<std::size_t>(ComponentFeature::max_height)]);
   set(CandidateFeature::level_share, 0, of.pairs > 0 ? of.level / of.pairs : 0);
   set(CandidateFeature::step_share, 0, of.pairs > 0 ? of.stepped / of.pairs : 0);
 }
@@ -81,6 +100,7 @@ void set_band_features(const PixelLabels& labels, const ComponentImages& images,
     if (of.all.n == 0) of.x0 = x, of.y0 = y;
     of.all.add(x - of.x0, y - of.y0);
     const auto occupancy = static_cast<Occupancy>(images.patch.occupancy.values[i]);
+    of.any |= occupancy;
     for (std::size_t b = 0; b < kHeightBands; ++b)
       if ((occupancy & masks[b]) != 0) of.bands[b].add(x - of.x0, y - of.y0);
     for (const std::size_t next : {i + 1, i + w}) {  // a pixel with a label is never on the edge of the image

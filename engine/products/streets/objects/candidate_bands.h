@@ -9,8 +9,9 @@
 
 namespace ilot {
 
-// Sets the features from band_share on, of the candidate of each label, in the order of the labels. A bin belongs to
-// the band that contains its middle. O(pixels times bands).
+// Sets the features from band_share on, and own_top, of the candidate of each label, in the order of the labels. A bin
+// belongs to the band that contains its middle. The own top is where no point follows for a metre, as below the crown
+// of a tree above a car, or the highest point. O(pixels times bands).
 void set_band_features(const PixelLabels& labels, const ComponentImages& images, const RasterScale& scale,
                        std::span<ObjectCandidate> candidates);
 

@@ -92,6 +92,7 @@ struct ObjectCandidate {
   double x = 0, y = 0;  // base point, in pixels of the whole image; centres of pixels are at whole numbers
   double middle_x = 0, middle_y = 0;              // of its pixels
   Height ground = 0;                              // lowest ground below it
+  double own_top = 0;                             // metres above the ground; candidate_bands.h
   double length = 0, width = 0, heading_deg = 0;  // metres; heading of the length, from x towards y, 0 to below 180
   std::uint64_t points = 0;                       // above the ground
   std::uint32_t pixels = 0;

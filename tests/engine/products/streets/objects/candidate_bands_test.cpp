@@ -57,6 +57,21 @@ TEST(CandidateBands, AreTheSameWhereTheCandidateIsTurnedAround) {
   }
 }
 
+// Points of a crown are a metre and more above it.
+TEST(CandidateBands, OwnTopIsBelowTheCrown) {
+  constexpr Height kCrown = 0x38000000;  // from 2.7 m on
+  const auto below = [](Height of_crown) {
+    return drawn_candidate([=](std::uint32_t x, std::uint32_t y) {
+      DrawnPixel p = car(x, y, 30);
+      if (p.height != kNoHeight && x > 40) p = {6000, p.bins | of_crown};
+      return p;
+    });
+  };
+  EXPECT_NEAR(below(kCrown).own_top, 1.6, 1e-9);
+  EXPECT_NEAR(below(kCrown | 0x01000000).own_top, 6, 1e-9);  // a point at 2.4 m: no metre is free
+  EXPECT_NEAR(drawn_candidate([](std::uint32_t x, std::uint32_t y) { return car(x, y, 30); }).own_top, 1.6, 1e-9);
+}
+
 TEST(CandidateBands, LeavesGoUpAndDown) {
   const ObjectCandidate leaves = drawn_candidate([](std::uint32_t x, std::uint32_t y) {
     return x >= 20 && x < 40 && y >= 20 && y < 40 ? DrawnPixel{static_cast<Height>(200 * ((7 * x + 3 * y) % 8)), 1}
