@@ -7,6 +7,7 @@
 #include <malloc.h>
 #include <sys/resource.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 
@@ -74,10 +75,11 @@ ObjectLabels labels_of(const FoundStreet& street) {
   const std::vector<CandidateClass> classes = model.of(street.candidates);
   const std::vector<std::uint32_t> candidate_of =
       candidate_of_part(street.candidates, select_objects(street.candidates, classes));
-  ObjectLabels labels{{0}, {PointLabel::none}};
+  ObjectLabels labels{{0}, {PointLabel::none}, {0}};
   for (std::size_t part = 1; part < candidate_of.size(); ++part) {
     labels.object.push_back(candidate_of[part]);
     labels.label.push_back(classes[candidate_of[part] - 1].label);
+    labels.top.push_back(INFINITY);
   }
   return labels;
 }

@@ -41,14 +41,15 @@ struct Slope {
   Slope less(const Slope& s) const { return {first - s.first, second - s.second}; }
 };
 
-// Bins, column after column, as the histograms read them.
+// Bins, row after row: a row is read from memory once for all columns of its histograms.
 struct BinnedColumns {
   std::size_t rows = 0;
   std::vector<std::vector<float>> limits;
   std::vector<std::size_t> start;  // start of each column in a histogram, and the end
   std::vector<std::uint8_t> bins;
   std::vector<std::uint64_t> keys;  // hash of the bins of each row
-  const std::uint8_t* column(std::size_t c) const { return bins.data() + c * rows; }
+  std::size_t columns() const { return limits.size(); }
+  const std::uint8_t* row(std::size_t r) const { return bins.data() + r * columns(); }
 };
 
 // Returns limits half way between values, so that each bin has about the same number of rows. Equal values are never
@@ -67,13 +68,12 @@ std::vector<float> even_limits(std::vector<double> values, std::size_t bins) {
   return limits;
 }
 
-// Computes the hashes from the bins, column after column.
 std::vector<std::uint64_t> row_keys(const BinnedColumns& columns) {
   std::vector<std::uint64_t> keys(columns.rows, 0);
   parallel_for((columns.rows + kGrain - 1) / kGrain, [&](std::size_t part) {
     const std::size_t end = std::min(columns.rows, (part + 1) * kGrain);
-    for (std::size_t c = 0; c < columns.limits.size(); ++c)
-      for (std::size_t r = part * kGrain; r < end; ++r) keys[r] = mix64(keys[r] ^ columns.column(c)[r]);
+    for (std::size_t r = part * kGrain; r < end; ++r)
+      for (std::size_t c = 0; c < columns.columns(); ++c) keys[r] = mix64(keys[r] ^ columns.row(r)[c]);
   });
   return keys;
 }
@@ -86,7 +86,7 @@ BinnedColumns binned(const TreeSamples& samples, std::size_t bins) {
     for (std::size_t r = 0; r < out.rows; ++r) column[r] = samples.values[r * samples.columns + c];
     out.limits[c] = even_limits(column, bins);
     const std::vector<std::uint8_t> own = tree_bins({&out.limits[c], 1}, column);
-    std::copy(own.begin(), own.end(), out.bins.begin() + static_cast<std::ptrdiff_t>(c * out.rows));
+    for (std::size_t r = 0; r < out.rows; ++r) out.bins[r * samples.columns + c] = own[r];
   });
   for (const auto& list : out.limits) out.start.push_back(out.start.back() + list.size() + 1);
   out.keys = row_keys(out);
@@ -174,7 +174,7 @@ class TreeGrower {
         const TreeSplit* split = splits.data() + (std::size_t{1} << depth) - 1;
         for (std::size_t i = 0; i < count; ++i) {
           const TreeSplit s = split[node[i]];
-          node[i] = static_cast<std::uint8_t>(2 * node[i] + (columns_.column(s.column)[first + i] > s.bin));
+          node[i] = static_cast<std::uint8_t>(2 * node[i] + (columns_.row(first + i)[s.column] > s.bin));
         }
       }
       for (std::size_t i = 0; i < count; ++i) scores[first + i] += leaves[node[i]];
@@ -183,13 +183,10 @@ class TreeGrower {
 
   std::vector<Slope> counted(const std::vector<std::uint32_t>& rows) const {
     std::vector<Slope> histogram(columns_.start.back());
-    std::vector<RowSlope> slopes(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) slopes[i] = slopes_[rows[i]];
-    for (std::size_t c = 0; c < columns_.limits.size(); ++c) {
-      if (columns_.limits[c].empty()) continue;
-      const std::uint8_t* bin = columns_.column(c);
-      Slope* own = histogram.data() + columns_.start[c];
-      for (std::size_t i = 0; i < rows.size(); ++i) own[bin[rows[i]]].add(slopes[i]);
+    for (const std::uint32_t r : rows) {
+      const RowSlope slope = slopes_[r];
+      const std::uint8_t* bins = columns_.row(r);
+      for (std::size_t c = 0; c < columns_.columns(); ++c) histogram[columns_.start[c] + bins[c]].add(slope);
     }
     return histogram;
   }
@@ -217,9 +214,8 @@ class TreeGrower {
       right.histogram.resize(left.histogram.size());
       return;
     }
-    const std::uint8_t* bin = columns_.column(split.column);
     for (const std::uint32_t r : node.rows) {
-      GrowingNode& side = bin[r] > split.bin ? right : left;
+      GrowingNode& side = columns_.row(r)[split.column] > split.bin ? right : left;
       side.rows.push_back(r);
       side.all.add(slopes_[r]);
     }

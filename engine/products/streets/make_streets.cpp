@@ -73,6 +73,30 @@ Vec3 place_of(const TileRaster& raster, double x, double y, Height z) {
   return {raster.crs_x(x + 0.5), raster.crs_y(y + 0.5), z * raster.unit};  // centres of pixels are at whole numbers
 }
 
+// True for objects that are lower than the crowns, signs and awnings that may be above them. Posts and what is of no
+// known kind may reach up to these.
+bool stands_below(PointLabel label) {
+  switch (label) {
+    case PointLabel::car:
+    case PointLabel::van:
+    case PointLabel::two_wheeler:
+    case PointLabel::pedestrian:
+    case PointLabel::bollard:
+    case PointLabel::bin:
+    case PointLabel::bench:
+    case PointLabel::planter:
+    case PointLabel::cabinet:
+      return true;
+    default:
+      return false;
+  }
+}
+
+double top_of(const ObjectCandidate& candidate, PointLabel label) {
+  return stands_below(label) ? candidate.own_top
+                             : candidate.features[static_cast<std::size_t>(ComponentFeature::max_height)];
+}
+
 StreetObject object_of(const FoundStreet& street, const StretchIndex& blocks, const ObjectCandidate& candidate,
                        const CandidateClass& what, const OwnClasses& own) {
   const TileRaster& raster = street.tiles->raster();
@@ -82,7 +106,7 @@ StreetObject object_of(const FoundStreet& street, const StretchIndex& blocks, co
   o.probability = what.probability;
   o.base = place_of(raster, candidate.x, candidate.y, candidate.ground);
   o.middle = place_of(raster, candidate.middle_x, candidate.middle_y, candidate.ground);
-  o.height_m = candidate.features[static_cast<std::size_t>(ComponentFeature::max_height)];
+  o.height_m = top_of(candidate, what.label);
   o.length_m = candidate.length;
   o.width_m = candidate.width;
   o.heading_deg = candidate.heading_deg;
@@ -295,12 +319,13 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
     *steps = {see,   street.tiles->raster(), street.candidates,   classes,
               taken, candidate_of,           object_of_candidate, plan.objects};
   }
-  ObjectLabels labels{{0}, {PointLabel::none}};
+  ObjectLabels labels{{0}, {PointLabel::none}, {0}};
   std::vector<PavementPixel> standing{PavementPixel::object};
   for (std::size_t part = 1; part < candidate_of.size(); ++part) {
     const std::uint32_t candidate = candidate_of[part];
     const PointLabel label = classes[candidate - 1].label;
     labels.object.push_back(object_of_candidate[candidate]);
+    labels.top.push_back(stands_below(label) ? street.candidates[candidate - 1].own_top : INFINITY);
     standing.push_back(standing_of(label, street.candidates[candidate - 1]));
     labels.label.push_back(is_street_object(label) && object_of_candidate[candidate] == 0 ? PointLabel::none : label);
   }

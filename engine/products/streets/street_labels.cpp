@@ -45,6 +45,7 @@ class Verdict {
     if (candidate == kFacade) return {0, PointLabel::facade};
     const PointLabel label = candidates_.label[candidate];
     if (structure == Structure::overhang && label == PointLabel::none) return {0, PointLabel::facade};
+    if (above * tiles_.raster().scale.unit > candidates_.top[candidate]) return {0, PointLabel::vegetation};
     return {candidates_.object[candidate], label};
   }
 

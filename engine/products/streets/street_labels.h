@@ -15,10 +15,11 @@ struct StreetLabel {
   std::uint8_t unused[3] = {};  // padding that is written to disk
 };
 
-// Per candidate number, [0] unused: its object (0: none) and its label.
+// Per candidate number, [0] unused: its object (0: none), its label, and its top.
 struct ObjectLabels {
   std::vector<std::uint32_t> object;
   std::vector<PointLabel> label;
+  std::vector<double> top;  // metres above the ground; what is higher in its pixels is vegetation
 };
 
 // Writes the column "street" of every block from the layers "level", "mask" and "candidates". Points lower than

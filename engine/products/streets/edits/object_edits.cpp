@@ -58,6 +58,7 @@ ObjectCandidate joined(const ObjectCandidate& a, const ObjectCandidate& b, doubl
   const double low_a = low(a), low_b = low(b), all = low_a + low_b;
   if (all > 0) out.x = (low_a * a.x + low_b * b.x) / all, out.y = (low_a * a.y + low_b * b.y) / all;
   out.ground = std::min(a.ground, b.ground);
+  out.own_top = std::max(a.own_top, b.own_top);
   out.points = a.points + b.points;
   out.pixels = a.pixels + b.pixels;
   const auto set = [&](ComponentFeature f, double v) { out.features[static_cast<std::size_t>(f)] = v; };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/products/streets/objects/candidate_bands.h"
 #include "engine/products/streets/objects/candidate_bins.h"
 #include "engine/products/streets/objects/candidate_shape.h"
 #include "engine/products/streets/objects/moment_rectangle.h"
@@ -147,6 +148,7 @@ std::vector<ObjectCandidate> describe(const PixelLabels& labels, const Component
   std::vector<ObjectCandidate> out = Describer(images, scale, params).described(labels);
   set_shapes(labels, images, scale, out);
   set_bin_features(labels, images, scale, out);
+  set_band_features(labels, images, scale, out);
   return out;
 }
 

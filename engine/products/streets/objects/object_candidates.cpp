@@ -301,15 +301,20 @@ class CandidateFinder {
 
 const char* candidate_feature_name(std::size_t feature) {
   static constexpr const char* kOwn[] = {
-      "low share",     "ground share", "roughness",     "length",         "width",        "inner pass",
-      "outer pass",    "fill",         "lesser share",  "top step",       "mean step",    "joined share",
-      "rise",          "joined fill",  "joined length", "upright share",  "evenness",     "free run",
-      "touch share",   "joint share",  "box length",    "box width",      "box fill",     "high length",
-      "high width",    "high share",   "half share",    "ends height",    "sides height", "unevenness",
-      "foot length",   "foot width",   "foot share",    "waist share",    "head share",   "solid share",
-      "wall distance", "wall mean",    "crown share",   "overhang share", "edge ground",  "edge standing",
-      "edge building", "points",       "pixel",         "root share",     "root length",  "neighbour bins",
-      "linear",        "planar",       "upright axis",  "level normal",   "lowest bin",   "thickness"};
+      "low share",     "ground share",  "roughness",     "length",         "width",         "inner pass",
+      "outer pass",    "fill",          "lesser share",  "top step",       "mean step",     "joined share",
+      "rise",          "joined fill",   "joined length", "upright share",  "evenness",      "free run",
+      "touch share",   "joint share",   "box length",    "box width",      "box fill",      "high length",
+      "high width",    "high share",    "half share",    "ends height",    "sides height",  "unevenness",
+      "foot length",   "foot width",    "foot share",    "waist share",    "head share",    "solid share",
+      "wall distance", "wall mean",     "crown share",   "overhang share", "edge ground",   "edge standing",
+      "edge building", "points",        "pixel",         "root share",     "root length",   "neighbour bins",
+      "linear",        "planar",        "upright axis",  "level normal",   "lowest bin",    "thickness",
+      "band 1 share",  "band 2 share",  "band 3 share",  "band 4 share",   "band 5 share",  "band 6 share",
+      "band 7 share",  "band 1 length", "band 2 length", "band 3 length",  "band 4 length", "band 5 length",
+      "band 6 length", "band 7 length", "band 1 width",  "band 2 width",   "band 3 width",  "band 4 width",
+      "band 5 width",  "band 6 width",  "band 7 width",  "band 1 offset",  "band 2 offset", "band 3 offset",
+      "band 4 offset", "band 5 offset", "band 6 offset", "band 7 offset",  "level share",   "step share"};
   if (feature < kComponentFeatures) return feature_name(static_cast<ComponentFeature>(feature));
   return kOwn[feature - kComponentFeatures];
 }

@@ -12,6 +12,7 @@ namespace ilot {
 
 // The features by which object candidates are classified: first the eleven of the paper [Hernandez and Marcotegui 2008,
 // 5.2], then ours.
+constexpr std::size_t kHeightBands = 7;
 enum class CandidateFeature : std::uint8_t {
   low_share = kComponentFeatures,  // share of its points that are lower than low_height
   ground_share,                    // share of the points in its pixels that are on the ground below it
@@ -72,8 +73,16 @@ enum class CandidateFeature : std::uint8_t {
   level_normal,    // |z| of the direction of the smallest
   lowest_bin,      // metres above the ground; lower side of the lowest
   thickness,       // metres; standard deviation along the direction of the smallest
+  // Of bands of height (candidate_bands.h), kHeightBands of each.
+  band_share,                               // share of its pixels with a point in the band
+  band_length = band_share + kHeightBands,  // metres; of the rectangle with the moments of these pixels
+  band_width = band_length + kHeightBands,
+  band_offset = band_width + kHeightBands,   // metres; from the middle of its pixels to that of these
+  level_share = band_offset + kHeightBands,  // of its pixels side by side: share with less than half a pixel between
+                                             // their tops
+  step_share,                                // share with more than two pixels
 };
-constexpr std::size_t kCandidateFeatures = kComponentFeatures + 54;
+constexpr std::size_t kCandidateFeatures = static_cast<std::size_t>(CandidateFeature::step_share) + 1;
 using CandidateFeatures = std::array<double, kCandidateFeatures>;
 const char* candidate_feature_name(std::size_t feature);
 
@@ -83,6 +92,7 @@ struct ObjectCandidate {
   double x = 0, y = 0;  // base point, in pixels of the whole image; centres of pixels are at whole numbers
   double middle_x = 0, middle_y = 0;              // of its pixels
   Height ground = 0;                              // lowest ground below it
+  double own_top = 0;                             // metres above the ground; candidate_bands.h
   double length = 0, width = 0, heading_deg = 0;  // metres; heading of the length, from x towards y, 0 to below 180
   std::uint64_t points = 0;                       // above the ground
   std::uint32_t pixels = 0;

@@ -50,7 +50,8 @@ TEST(CandidateBins, NothingIsKnownWithNoOccupancy) {
   const ObjectCandidate c = drawn_candidate([](std::uint32_t x, std::uint32_t y) {
     return x >= 20 && x < 40 && y >= 20 && y < 40 ? DrawnPixel{kTall, 0} : DrawnPixel{};
   });
-  for (auto f = static_cast<std::size_t>(CandidateFeature::neighbour_bins); f < kCandidateFeatures; ++f)
+  for (auto f = static_cast<std::size_t>(CandidateFeature::neighbour_bins);
+       f < static_cast<std::size_t>(CandidateFeature::band_share); ++f)
     EXPECT_EQ(c.features[f], 0) << candidate_feature_name(f);
 }
 
