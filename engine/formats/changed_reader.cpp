@@ -27,6 +27,14 @@ class ReaderAround : public PointReader {
   CloudInfo info_;
 };
 
+class InCrs final : public ReaderAround {
+ public:
+  InCrs(std::unique_ptr<PointReader> inner, const Crs& crs) : ReaderAround(std::move(inner)) {
+    replace_crs(info_, crs);
+  }
+  const PointReader& within() const { return *inner_; }
+};
+
 class HeightsInUnit final : public ReaderAround {
  public:
   HeightsInUnit(std::unique_ptr<PointReader> inner, double factor) : ReaderAround(std::move(inner)) {
@@ -98,6 +106,10 @@ class Reprojected final : public ReaderAround {
 
 }  // namespace
 
+std::unique_ptr<PointReader> in_crs(std::unique_ptr<PointReader> reader, const Crs& crs) {
+  return std::make_unique<InCrs>(std::move(reader), crs);
+}
+
 std::unique_ptr<PointReader> with_heights_in_unit(std::unique_ptr<PointReader> reader, double factor) {
   return std::make_unique<HeightsInUnit>(std::move(reader), factor);
 }
@@ -105,6 +117,12 @@ std::unique_ptr<PointReader> with_heights_in_unit(std::unique_ptr<PointReader> r
 const PointReader& reader_of_records(const PointReader& reader) {
   const auto* changed = dynamic_cast<const HeightsInUnit*>(&reader);
   return changed != nullptr ? changed->within() : reader;
+}
+
+const PointReader& reader_of_file(const PointReader& reader) {
+  const PointReader& records = reader_of_records(reader);
+  const auto* said = dynamic_cast<const InCrs*>(&records);
+  return said != nullptr ? said->within() : records;
 }
 
 std::unique_ptr<PointReader> reprojected(std::unique_ptr<PointReader> reader, const Crs& source, const Crs& target,

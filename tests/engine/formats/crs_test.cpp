@@ -97,6 +97,21 @@ TEST(Crs, RecordsSayWhatWasMeant) {
   EXPECT_TRUE(crs_records(Crs{}, true).empty());
 }
 
+TEST(Crs, KeysSayHeightsToo) {
+  std::vector<std::string> warnings;
+  const Crs feet = crs_from_text("EPSG:2154+8228");  // NAVD88 height (ft)
+  const Crs read = crs_from_vlrs(crs_records(feet, false), false, warnings);
+  EXPECT_EQ(read.epsg, 2154);
+  EXPECT_EQ(read.metres_per_unit_z, feet.metres_per_unit_z);
+  EXPECT_EQ(read.wkt, feet.wkt);
+  const Crs of_one_code = crs_from_vlrs(crs_records(crs_from_epsg(7415), false), false, warnings);  // 28992 + 5709
+  EXPECT_EQ(of_one_code.wkt.substr(0, 8), "COMPD_CS");
+  Crs own;
+  own.wkt = "LOCAL_CS[\"own\",UNIT[\"metre\",1]]";
+  EXPECT_TRUE(crs_records(own, false).empty());
+  EXPECT_TRUE(warnings.empty());
+}
+
 TEST(Crs, ReplacingGoesThroughTheFile) {
   const Folder folder;
   CloudSpec spec;
