@@ -125,6 +125,30 @@ TEST(Crs, ReplacingGoesThroughTheFile) {
   EXPECT_TRUE(info.warnings.empty());
 }
 
+TEST(Crs, WithoutACodeNeedsLas14) {
+  const Folder folder;
+  const Crs foot = crs_from_text(
+      "PROJCS[\"of this place\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257223563]],"
+      "PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]],PROJECTION[\"Transverse_Mercator\"],"
+      "PARAMETER[\"latitude_of_origin\",47.3],PARAMETER[\"central_meridian\",4.1],PARAMETER[\"scale_factor\",1],"
+      "PARAMETER[\"false_easting\",651000],PARAMETER[\"false_northing\",6861000],UNIT[\"foot\",0.3048]]");
+  ASSERT_EQ(foot.epsg, 0);
+  for (const auto& [crs, minor] : {std::pair{foot, 4}, std::pair{crs_from_epsg(2994), 2}}) {
+    CloudSpec spec;
+    spec.like.header.resize(227);
+    spec.like.version_minor = 2;
+    spec.like.layout.point_format = 0;
+    spec.like.layout.record_length = 20;
+    replace_crs(spec.like, crs);
+    create_cloud(folder / "a.las", spec)->finish();
+    const CloudInfo info = open_cloud(folder / "a.las")->info();
+    EXPECT_EQ(info.version_minor, minor);
+    EXPECT_NEAR(info.crs.metres_per_unit, 0.3048, 1e-12);
+    EXPECT_TRUE(info.warnings.empty());
+    EXPECT_EQ(info.vlrs.size(), 1u);
+  }
+}
+
 TEST(Crs, DamagedRecordsAreNoCrs) {
   Rng rng(5);
   for (int round = 0; round < 300; ++round) {
