@@ -177,6 +177,18 @@ class CoordinatesTest(RunTest):
         self.assertEqual(crs_records(out / "points/a.laz")[0], 2)
         self.assertEqual(self.labelled(out, "a").raw(), Las.read(path).raw())
 
+    def test_reprojected_heights_have_the_unit_of_the_target(self):
+        path = small_las(self.folder / "a.las", [(820 * i, 820 * j, 16400 + 164 * i) for i in range(70) for j in range(70)],
+                         offset=(640000, 860000, 0))
+        out, run_json = self.work(path, "--crs", "EPSG:2994", "--to-crs", "utm")  # feet
+        self.assertEqual([w for w in run_json["warnings"] if "heights" in w], [])
+        again, _ = self.work(out / "points/a.laz")
+        for first, then in zip(planes(out), planes(again), strict=True):
+            self.assertAlmostEqual(float(first["nz"]), 1 / 1.04 ** 0.5, delta=1e-3)
+            self.assertAlmostEqual(float(first["centroid_z"]), (16.4 + 0.164 * 34.5) * 0.3048, delta=0.01)
+            for key in ("nz", "centroid_z"):
+                self.assertAlmostEqual(float(first[key]), float(then[key]), delta=1e-3)
+
     def test_labels_of_a_plan_say_its_crs(self):
         path = small_las(self.folder / "a.las", slope())
         one, run_json = self.work(path, "--crs", "EPSG:2994")
