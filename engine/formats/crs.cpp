@@ -65,6 +65,13 @@ bool is_geographic(PJ_TYPE type) {
   return type == PJ_TYPE_GEOGRAPHIC_2D_CRS || type == PJ_TYPE_GEOGRAPHIC_3D_CRS || type == PJ_TYPE_GEOCENTRIC_CRS;
 }
 
+// Returns a part of a compound CRS, without the transformation that may be bound to it.
+Object part_of(PJ_CONTEXT* context, const PJ* compound, int number) {
+  Object part(proj_crs_get_sub_crs(context, compound, number));
+  if (part && proj_get_type(part.get()) == PJ_TYPE_BOUND_CRS) part.reset(proj_get_source_crs(context, part.get()));
+  return part;
+}
+
 std::string as_wkt(PJ_CONTEXT* context, const PJ* crs) {
   const char* wkt = proj_as_wkt(context, crs, PJ_WKT1_GDAL, nullptr);
   if (!wkt) wkt = proj_as_wkt(context, crs, PJ_WKT2_2019, nullptr);
@@ -84,10 +91,8 @@ std::optional<Crs> understand(const std::string& definition) {
   crs.epsg = epsg_code(whole.get());
   Object horizontal, vertical;
   if (proj_get_type(whole.get()) == PJ_TYPE_COMPOUND_CRS) {
-    horizontal.reset(proj_crs_get_sub_crs(context.get(), whole.get(), 0));
+    horizontal = part_of(context.get(), whole.get(), 0);
     vertical.reset(proj_crs_get_sub_crs(context.get(), whole.get(), 1));
-    if (horizontal && proj_get_type(horizontal.get()) == PJ_TYPE_BOUND_CRS)
-      horizontal.reset(proj_get_source_crs(context.get(), horizontal.get()));
   }
   const PJ* plan = horizontal ? horizontal.get() : whole.get();
   if (crs.epsg == 0) crs.epsg = epsg_code(plan);
@@ -204,12 +209,46 @@ void put_key(std::vector<std::byte>& out, int id, int value) {
   }
 }
 
+// The codes by which GeoTIFF keys say a CRS.
+struct KeyCodes {
+  int plan = 0, heights = 0;  // 0: no heights of their own
+};
+
+// nullopt when a part has no code, or none that a key can hold.
+std::optional<KeyCodes> key_codes(const Crs& crs) {
+  constexpr int kUserDefined = 32767;  // Derived: GeoTIFF 1.0, section 6.3: from here on codes have another meaning
+  const Context context = quiet_context();
+  const Object whole(crs.wkt.empty() ? nullptr : proj_create(context.get(), crs.wkt.c_str()));
+  const bool compound = whole && proj_get_type(whole.get()) == PJ_TYPE_COMPOUND_CRS;
+  const auto code_of = [&](int number) {
+    const Object part = part_of(context.get(), whole.get(), number);
+    if (!part) return 0;
+    const int code = epsg_code(part.get());
+    return code != 0 ? code : identified_code(context.get(), part.get());
+  };
+  const auto fits = [](int code) { return code > 0 && code < kUserDefined; };
+  const KeyCodes codes = compound ? KeyCodes{code_of(0), code_of(1)} : KeyCodes{crs.epsg, 0};
+  if (!fits(codes.plan) || (compound && !fits(codes.heights))) return std::nullopt;
+  return codes;
+}
+
 Vlr projection_record(std::uint16_t id, const char* description) {
   Vlr vlr;
   vlr.user_id = "LASF_Projection";
   vlr.record_id = id;
   vlr.description = description;
   return vlr;
+}
+
+// Heights above the ellipsoid, nearly: along the line to the centre, which differs from them by less than a metre.
+bool is_near_the_surface(Vec3 place) {
+  constexpr double kEquator = 6378137, kPole = 6356752.3;  // Derived: half axes of WGS 84, metres
+  constexpr double kDeepest = -2000, kHighest = 12000;     // Choice: land and aircraft, and a datum beside WGS 84
+  const double far = norm(place);
+  if (!(far > 0)) return false;
+  const double across = std::hypot(place.x, place.y) / far, up = place.z / far;
+  const double height = far - kEquator * kPole / std::hypot(kPole * across, kEquator * up);
+  return height >= kDeepest && height <= kHighest;
 }
 
 }  // namespace
@@ -228,12 +267,21 @@ Crs horizontal_crs(const Crs& crs) {
   return plan;
 }
 
+bool is_geocentric(const Crs& crs) {
+  if (!crs.geographic) return false;
+  const Context context = quiet_context();
+  const std::string definition = crs.wkt.empty() ? "EPSG:" + std::to_string(crs.epsg) : crs.wkt;
+  Object whole(proj_create(context.get(), definition.c_str()));
+  if (whole && proj_get_type(whole.get()) == PJ_TYPE_BOUND_CRS)
+    whole.reset(proj_get_source_crs(context.get(), whole.get()));
+  return whole && proj_get_type(whole.get()) == PJ_TYPE_GEOCENTRIC_CRS;
+}
+
 bool can_be_at(const Crs& crs, Vec3 place) {
   if (!crs.geographic) return true;
-  constexpr double kTurn = 360, kPole = 90, kLeast = 6.2e6, kMost = 6.6e6;  // degrees; metres from the centre
-  if (std::abs(place.x) <= kTurn && std::abs(place.y) <= kPole) return true;
-  const double far = norm(place);
-  return far >= kLeast && far <= kMost;
+  if (is_geocentric(crs)) return is_near_the_surface(place);
+  constexpr double kTurn = 360, kPole = 90;  // Derived: degrees of longitude (from 0 or from -180 on) and latitude
+  return std::abs(place.x) <= kTurn && std::abs(place.y) <= kPole;
 }
 
 bool is_crs_record(const Vlr& vlr) {
@@ -270,15 +318,17 @@ std::vector<Vlr> crs_records(const Crs& crs, bool as_wkt) {
     vlr.payload.assign(text, text + crs.wkt.size() + 1);
     return {vlr};
   }
-  if (crs.epsg <= 0 || crs.epsg >= 32767) return {};
+  const std::optional<KeyCodes> codes = key_codes(crs);
+  if (!codes) return {};
   Vlr vlr = projection_record(34735, "GeoTIFF GeoKeyDirectoryTag");
-  for (const int word : {1, 1, 0, 2}) {
+  for (const int word : {1, 1, 0, codes->heights != 0 ? 3 : 2}) {
     std::byte raw[2];
     store(raw, static_cast<std::uint16_t>(word));
     vlr.payload.insert(vlr.payload.end(), raw, raw + 2);
   }
   put_key(vlr.payload, 1024, crs.geographic ? 2 : 1);
-  put_key(vlr.payload, crs.geographic ? 2048 : 3072, crs.epsg);
+  put_key(vlr.payload, crs.geographic ? 2048 : 3072, codes->plan);
+  if (codes->heights != 0) put_key(vlr.payload, 4096, codes->heights);
   return {vlr};
 }
 

@@ -25,12 +25,17 @@ Crs crs_from_text(const std::string& text);
 // heights.
 Crs horizontal_crs(const Crs& crs);
 
-// False for degrees, or for a geocentric CRS, when x and y (and z) are far outside its range.
+// True when x, y and z are metres from the centre of the Earth. `geographic` is then true too, as no product works on
+// them.
+bool is_geocentric(const Crs& crs);
+
+// False for degrees that are outside their range, and in a geocentric CRS for places far from the surface of the Earth.
 bool can_be_at(const Crs& crs, Vec3 place);
 
 bool is_crs_record(const Vlr& vlr);
 
-// Returns the records of this CRS: WKT (LAS 1.4) or GeoTIFF keys. Empty when neither WKT nor the EPSG code is known.
+// Returns the records of this CRS: WKT (LAS 1.4) or GeoTIFF keys. Empty when it has no WKT, or when EPSG has no code
+// for it or for a part of it that keys would need.
 std::vector<Vlr> crs_records(const Crs& crs, bool as_wkt);
 
 // Removes the cloud's own CRS records and puts `crs` in their place (for --crs).

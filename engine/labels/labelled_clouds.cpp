@@ -121,7 +121,7 @@ class Labeller {
     if (is_in_memory(spec.like)) return copy(*create_npy(path, spec), Kept::all_rows);
     // Where classes change, the compressed fields of the input cannot be kept.
     if (!classes_)
-      if (const auto extender = LazExtender::open(reader_of_records(input_), path, spec)) return extend(*extender);
+      if (const auto extender = LazExtender::open(reader_of_file(input_), path, spec)) return extend(*extender);
     return copy(*create_cloud(path, spec), Kept::valid_rows);
   }
 

@@ -21,6 +21,19 @@ def with_keys(path, keys):
     return path
 
 
+def crs_records(path):
+    """Returns version, the flag of WKT, and the number of every record of a CRS in a LAS or LAZ file with its bytes."""
+    data = pathlib.Path(path).read_bytes()
+    at, = struct.unpack_from("<H", data, 94)
+    records = []
+    for _ in range(struct.unpack_from("<I", data, 100)[0]):
+        user, number, length = struct.unpack_from("<2x16sHH", data, at)
+        if user.rstrip(b"\0") == b"LASF_Projection":
+            records.append((number, data[at + 54:at + 54 + length]))
+        at += 54 + length
+    return data[25], bool(data[6] & 16), records
+
+
 def slope(z_scale=1.0):
     """Returns a roof-like plane of 20 x 20 m in raw millimetres, with heights divided by z_scale."""
     return [(250 * i, 250 * j, round((5000 + 50 * i) / z_scale)) for i in range(80) for j in range(80)]
@@ -84,6 +97,25 @@ class CoordinatesTest(RunTest):
         given = ilot("run", path, "-o", self.folder / "no", "--crs", "EPSG:4326")
         self.assertEqual(given.returncode, 2)
         self.assertIn("cannot be", given.stderr)
+        # As far from the origin as the surface of the Earth is from its centre.
+        lambert = small_las(self.folder / "l.las", slope(), offset=(770550, 6277550, 0))
+        for code, kind in ((4326, "is in degrees"), (4978, "is geocentric")):
+            given = ilot("run", lambert, "-o", self.folder / "no", "--crs", f"EPSG:{code}")
+            self.assertEqual(given.returncode, 2)
+            self.assertIn(f"--crs EPSG:{code} {kind}, which x = 770", given.stderr)
+            self.assertNotIn("--to-crs", given.stderr)
+        out, run_json = self.work(with_keys(lambert, [(1024, 2), (2048, 4326)]))
+        self.assertTrue(any("the inputs say degrees (EPSG:4326), which x = 770" in w for w in run_json["warnings"]))
+
+    def test_what_cannot_be_projected_to_utm(self):
+        path = self.folder / "pole.csv"
+        path.write_text("x,y,z\n" + "".join(f"{3 + 3e-6 * i:.9f},{85 + 2e-6 * i:.9f},50\n" for i in range(90)))
+        for words in ([], ["--to-crs", "utm"]):
+            done = ilot("run", path, "-o", self.folder / "no", "--crs", "EPSG:4326", *words)
+            self.assertEqual(done.returncode, 2)
+            self.assertEqual("where UTM ends" in done.stderr, bool(words), done.stderr)
+        self.assertIn("--to-crs EPSG:n projects them",
+                      ilot("run", path, "-o", self.folder / "no", "--crs", "EPSG:4326").stderr)
 
     def test_layers_without_a_crs_are_cartesian(self):
         out, _ = self.work(small_las(self.folder / "a.las", slope()))
@@ -93,6 +125,80 @@ class CoordinatesTest(RunTest):
         out, _ = self.work(small_las(self.folder / "b.las", slope()), "--crs", "EPSG:2154")
         with sqlite3.connect(out / "planes.gpkg") as file:
             self.assertEqual({row[0] for row in file.execute("select srs_id from gpkg_geometry_columns")}, {2154})
+
+    def crs_of(self, out):
+        """Returns what a program that reads the only labelled cloud is told of its CRS."""
+        path, = (out / "points").iterdir()
+        done = ilot("info", "--json", path)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        info, = json.loads(done.stdout)
+        self.assertFalse([w for w in info["warnings"] if "CRS" in w or "WKT" in w], "the records are where they belong")
+        return info["crs"]
+
+    def test_labelled_clouds_say_the_crs_of_the_run(self):
+        old = small_las(self.folder / "old.las", slope())
+        for name in ("text.csv", "mesh.ply", "modern.copc.laz"):
+            self.assertEqual(ilot("convert", old, self.folder / name, "-q").returncode, 0)
+        for name, version, numbers in (("old.las", 2, [34735]), ("text.csv", 4, [2112]), ("mesh.ply", 4, [2112]),
+                                       ("modern.copc.laz", 4, [2112])):
+            with self.subTest(name):
+                out, run_json = self.work(self.folder / name, "--crs", "EPSG:2994")
+                crs = self.crs_of(out)
+                self.assertEqual((crs["epsg"], crs["metres_per_unit"]), (2994, 0.3048))
+                self.assertEqual(run_json["crs"], {"name": "EPSG:2994", "metres_per_unit": 0.3048})
+                minor, wkt, records = crs_records(next((out / "points").iterdir()))
+                self.assertEqual((minor, wkt, [n for n, _ in records]), (version, version == 4, numbers))
+                again, next_json = self.work(next((out / "points").iterdir()))
+                self.assertEqual(next_json["crs"], run_json["crs"], "the next step has the same units")
+                self.assertEqual(next_json["counts"]["planes"], run_json["counts"]["planes"])
+                none, _ = self.work(self.folder / name)
+                self.assertEqual(crs_records(next((none / "points").iterdir()))[2], [], "none was given")
+
+    def test_a_given_crs_takes_the_place_of_that_of_the_input(self):
+        path = with_keys(small_las(self.folder / "a.las", slope(), offset=(651000, 6861000, 0)), [(1024, 1), (3072, 2154)])
+        out, _ = self.work(path, "--crs", "EPSG:28992")
+        self.assertEqual(self.crs_of(out)["epsg"], 28992)
+        self.assertEqual([n for n, _ in crs_records(out / "points/a.laz")[2]], [34735], "the one before is gone")
+        without, _ = self.work(path)
+        same, _ = self.work(path, "--crs", "EPSG:2154")
+        self.assertEqual((same / "points/a.laz").read_bytes(), (without / "points/a.laz").read_bytes())
+        bare = small_las(self.folder / "b.las", slope(), offset=(651030, 6861000, 0))
+        both, _ = self.work([path, bare])
+        for name in ("a", "b"):
+            info, = json.loads(ilot("info", "--json", both / f"points/{name}.laz").stdout)
+            self.assertEqual(info["crs"]["epsg"], 2154, "an input without a CRS has that of the others")
+        self.assertEqual((both / "points/a.laz").read_bytes()[:375], (without / "points/a.laz").read_bytes()[:375])
+
+    def test_labelled_clouds_say_the_unit_of_their_heights(self):
+        path = small_las(self.folder / "a.las", slope(0.3048), offset=(651000, 6861000, 0))
+        out, run_json = self.work(path, "--crs", "EPSG:2154+8228")  # NAVD88 height (ft)
+        crs = self.crs_of(out)
+        self.assertEqual((crs["epsg"], crs["metres_per_unit"], crs["metres_per_unit_z"]), (2154, 1, 0.3048))
+        self.assertEqual(crs_records(out / "points/a.laz")[0], 2)
+        self.assertEqual(self.labelled(out, "a").raw(), Las.read(path).raw())
+
+    def test_reprojected_heights_have_the_unit_of_the_target(self):
+        path = small_las(self.folder / "a.las", [(820 * i, 820 * j, 16400 + 164 * i) for i in range(70) for j in range(70)],
+                         offset=(640000, 860000, 0))
+        out, run_json = self.work(path, "--crs", "EPSG:2994", "--to-crs", "utm")  # feet
+        self.assertEqual([w for w in run_json["warnings"] if "heights" in w], [])
+        again, _ = self.work(out / "points/a.laz")
+        for first, then in zip(planes(out), planes(again), strict=True):
+            self.assertAlmostEqual(float(first["nz"]), 1 / 1.04 ** 0.5, delta=1e-3)
+            self.assertAlmostEqual(float(first["centroid_z"]), (16.4 + 0.164 * 34.5) * 0.3048, delta=0.01)
+            for key in ("nz", "centroid_z"):
+                self.assertAlmostEqual(float(first[key]), float(then[key]), delta=1e-3)
+
+    def test_labels_of_a_plan_say_its_crs(self):
+        path = small_las(self.folder / "a.las", slope())
+        one, run_json = self.work(path, "--crs", "EPSG:2994")
+        plan, out = self.folder / "plan", self.folder / "merged"
+        for words in (["plan", path, "-o", plan, "--products", "planes", "--crs", "EPSG:2994"], ["task", plan, 1],
+                      ["merge", plan, "-o", out, "--labels", "--no-report"], ["task", plan, "label", 1, "-o", out]):
+            done = ilot(*words)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.crs_of(out)["epsg"], 2994)
+        self.assertEqual((out / "points/a.laz").read_bytes(), (one / "points/a.laz").read_bytes())
 
     def outlines(self, name, x, y, crs="urn:ogc:def:crs:EPSG::28992"):
         ring = [[x, y], [x + 12, y], [x + 12, y + 8], [x, y + 8], [x, y]]
@@ -117,6 +223,7 @@ class CoordinatesTest(RunTest):
         self.assertIn("EPSG:28992", [c["value"] for c in run_json["chosen"] if c["key"] == "crs"])
         self.assertIn("EPSG/0/28992", (out / "roofs" / "roofs.city.json").read_text())
         self.assertEqual(run_json["footprints"]["outside"], [])
+        self.assertEqual(self.crs_of(out)["epsg"], 28992)
         both = json.loads((self.folder / "f.geojson").read_text())
         both["features"] += [{**f, "properties": {"id": f"far {i}"}} for i in range(5) for f in
                              json.loads(self.outlines("h.geojson", 85510, 447008).read_text())["features"]]

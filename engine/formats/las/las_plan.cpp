@@ -19,8 +19,14 @@ bool describes_compression(const Vlr& vlr) {
   return (vlr.user_id == "laszip encoded" && vlr.record_id == 22204) || vlr.user_id == "copc";
 }
 
+// True when only WKT can say the CRS that was assigned to a cloud. Only LAS 1.4 has it.
+bool needs_wkt(const CloudInfo& like) {
+  return !like.crs.wkt.empty() && std::ranges::none_of(like.vlrs, is_crs_record) &&
+         crs_records(like.crs, false).empty();
+}
+
 int output_minor(const CloudInfo& like) {
-  if (like.header.empty() || like.layout.point_format >= 6 || like.points > UINT32_MAX) return 4;
+  if (like.header.empty() || like.layout.point_format >= 6 || like.points > UINT32_MAX || needs_wkt(like)) return 4;
   const int needed = like.layout.point_format >= 4 ? 3 : like.layout.point_format >= 2 ? 2 : 0;
   return std::clamp<int>(like.version_minor, needed, 4);
 }

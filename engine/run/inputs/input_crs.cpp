@@ -46,6 +46,10 @@ Crs agreed_crs(const RunInputs& inputs, const RunOptions& options) {
   return known != nullptr ? *known : inputs.readers.front()->info().crs;
 }
 
+std::string kind_of(const Crs& crs) {
+  return is_geocentric(crs) ? "geocentric" : "degrees";
+}
+
 std::string place_text(Vec3 place) {
   return fmt::format("x = {:.3f}, y = {:.3f}", place.x, place.y);
 }
@@ -56,19 +60,28 @@ void check_degrees(RunInputs& inputs, const RunOptions& options, const PlaceBox&
   if (can_be_at(inputs.crs, box.one)) return;
   const std::string where = place_text(box.one);
   if (!options.crs.empty())
-    throw usage("--crs " + options.crs + " is in degrees, which " + where +
-                " cannot be; give the projected CRS that the coordinates are in");
-  const std::string warning = "the inputs say degrees (" + crs_name(inputs.crs) + "), which " + where +
-                              " cannot be: metres in an unknown CRS are assumed; --crs EPSG:n says it";
+    throw usage("--crs " + options.crs + (is_geocentric(inputs.crs) ? " is geocentric" : " is in degrees") +
+                ", which " + where + " cannot be; give the projected CRS that the coordinates are in");
+  const std::string warning = "the inputs say " + kind_of(inputs.crs) + " (" + crs_name(inputs.crs) + "), which " +
+                              where + " cannot be: metres in an unknown CRS are assumed; --crs EPSG:n says it";
   progress.warn(warning);
   record.warnings.push_back(warning);
   inputs.crs = Crs{};
 }
 
+// Says what --to-crs could do. Near the poles, or where PROJ does not understand the CRS, there is no zone of UTM.
+std::string ways_to_project(const Crs& crs, Vec3 place) {
+  try {
+    const std::string zone = std::to_string(utm_at(crs, place).epsg);
+    return "--to-crs utm projects them (here to EPSG:" + zone + "), --to-crs EPSG:n to another CRS";
+  } catch (const Error&) {
+    return "--to-crs EPSG:n projects them";
+  }
+}
+
 [[noreturn]] void refuse_degrees(const RunInputs& inputs, const RunOptions& options, const PlaceBox& box) {
-  std::string sentence = "the coordinates are degrees (" + crs_name(inputs.crs) +
-                         "), products need metres or feet: --to-crs utm projects them (here to EPSG:" +
-                         std::to_string(utm_at(inputs.crs, box.one).epsg) + "), --to-crs EPSG:n to another CRS";
+  std::string sentence = "the coordinates are " + kind_of(inputs.crs) + " (" + crs_name(inputs.crs) +
+                         "), products need metres or feet in a plane: " + ways_to_project(inputs.crs, box.one);
   if (options.crs.empty()) sentence += "; if the inputs are wrong, --crs EPSG:n says what they are in";
   throw usage(sentence);
 }
@@ -87,10 +100,11 @@ void reproject_all(RunInputs& inputs, const RunOptions& options, const PlaceBox&
   inputs.crs = inputs.readers.front()->info().crs;
 }
 
-void take_crs_of_footprints(RunInputs& inputs, const RunOptions& options, Progress& progress, RunRecord& record) {
+// Returns whether it is taken.
+bool take_crs_of_footprints(RunInputs& inputs, const RunOptions& options, Progress& progress, RunRecord& record) {
   const FootprintSource source = footprint_source(options.footprints);
   const auto box = sampled_box(inputs.readers);
-  if (!is_known(source.crs) || source.crs.geographic || !box) return;
+  if (!is_known(source.crs) || source.crs.geographic || !box) return false;
   const PlaceBox theirs{source.min_x, source.min_y, source.max_x, source.max_y, {}};
   const std::string path = options.footprints.string();
   if (!widened(*box).touches(theirs))
@@ -101,6 +115,19 @@ void take_crs_of_footprints(RunInputs& inputs, const RunOptions& options, Progre
   progress.note("coordinates are in " + crs_name(source.crs) + ": " + why);
   note_choice(crs_name(source.crs), why, record);
   inputs.crs = source.crs;
+  return true;
+}
+
+// Makes the readers say the CRS of the run, so that labelled clouds do. `replaces`: also those that say one themselves.
+// The records of a cloud that says it already stay as they are.
+void give_crs(RunInputs& inputs, bool replaces) {
+  const auto is_same = [&](const Crs& crs) {
+    return crs.epsg == inputs.crs.epsg && crs.wkt == inputs.crs.wkt &&
+           crs.metres_per_unit == inputs.crs.metres_per_unit && crs.metres_per_unit_z == inputs.crs.metres_per_unit_z;
+  };
+  for (auto& reader : inputs.readers)
+    if (const Crs& own = reader->info().crs; replaces ? !is_same(own) : !is_known(own))
+      reader = in_crs(std::move(reader), inputs.crs);
 }
 
 double make_heights_alike(RunInputs& inputs, const RunOptions& options, Progress& progress, RunRecord& record) {
@@ -156,7 +183,11 @@ double resolve_crs(RunInputs& inputs, const RunOptions& options, Progress& progr
     if (!options.to_crs.empty()) reproject_all(inputs, options, *box, progress, record);
     if (inputs.crs.geographic) refuse_degrees(inputs, options, *box);
   }
-  if (!is_known(inputs.crs) && !options.footprints.empty()) take_crs_of_footprints(inputs, options, progress, record);
+  bool replaces = !options.crs.empty();
+  if (!is_known(inputs.crs) && !options.footprints.empty())
+    replaces = take_crs_of_footprints(inputs, options, progress, record);
+  // Reprojected inputs say their CRS already.
+  if (options.to_crs.empty() && is_known(inputs.crs)) give_crs(inputs, replaces);
   return make_heights_alike(inputs, options, progress, record);
 }
 

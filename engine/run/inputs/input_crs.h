@@ -18,6 +18,7 @@ CrsRecord crs_record(const Crs& crs);
 // - Degrees that are outside their range are not accepted: the CRS is then unknown.
 // - With --to-crs, places are reprojected; without it, degrees are refused.
 // - Inputs without a CRS take that of the footprints. They are refused when the footprints are at another place.
+// - The readers say inputs.crs, and so do labelled clouds.
 // - Heights in another unit than positions are converted, and inputs.crs is then the CRS of the positions alone.
 // All of this is reported and recorded. Returns the factor by which heights were multiplied (units of x and y per unit
 // of z). Errors have ExitCode::usage.

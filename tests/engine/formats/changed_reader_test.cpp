@@ -58,12 +58,34 @@ TEST(ChangedReader, RowsWithoutAPlaceAreNotValid) {
   EXPECT_EQ(read_all(*moved).valid, (std::vector<std::uint8_t>{1, 1, 0}));
 }
 
+TEST(ChangedReader, SaysAnotherCrsOfTheSameRecords) {
+  const Folder folder;
+  auto plain = cloud_of(folder, "3 48.85 40\n3.1 48.9 41\n", true);
+  const PointReader* file = plain.get();
+  const Rows before = read_all(*plain);
+  const auto said = in_crs(std::move(plain), crs_from_epsg(2994));
+  EXPECT_EQ(said->info().crs.epsg, 2994);
+  EXPECT_EQ(read_all(*said).bytes, before.bytes);
+  EXPECT_EQ(&reader_of_records(*said), said.get());
+  EXPECT_EQ(&reader_of_file(*said), file);
+}
+
 TEST(ChangedReader, DegreesBeyondAnyAreNotBelieved) {
   EXPECT_FALSE(can_be_at(crs_from_epsg(4326), {515393, 4918000, 100}));
   EXPECT_TRUE(can_be_at(crs_from_epsg(4326), {3, 48, 100}));
   EXPECT_TRUE(can_be_at(crs_from_epsg(2154), {515393, 4918000, 100}));
   EXPECT_TRUE(can_be_at(crs_from_epsg(4978), {4198945, 174747, 4781887})) << "from the Earth's centre";
   EXPECT_FALSE(can_be_at(crs_from_epsg(4978), {515393, 4918000, 100}));
+  // Lambert-93 in the south: as far from its origin as places are from the Earth's centre.
+  EXPECT_FALSE(can_be_at(crs_from_epsg(4326), {770550, 6277550, 100}));
+  EXPECT_FALSE(can_be_at(crs_from_epsg(4978), {770550, 6277550, 100}));
+  EXPECT_FALSE(can_be_at(crs_from_epsg(4326), {4198945, 174747, 4781887})) << "these are no degrees";
+  EXPECT_FALSE(can_be_at(crs_from_epsg(4978), {0, 0, 0}));
+  for (const double height : {-400.0, 0.0, 8800.0}) {
+    EXPECT_TRUE(can_be_at(crs_from_epsg(4978), {6378137 + height, 0, 0}));
+    EXPECT_TRUE(can_be_at(crs_from_epsg(4978), {0, 0, -6356752.3 - height}));
+  }
+  EXPECT_FALSE(can_be_at(crs_from_epsg(4978), {6356752, 0, 0})) << "21 km below the equator";
 }
 
 TEST(ChangedReader, TheHorizontalPartOfACompoundCrs) {

@@ -97,6 +97,21 @@ TEST(Crs, RecordsSayWhatWasMeant) {
   EXPECT_TRUE(crs_records(Crs{}, true).empty());
 }
 
+TEST(Crs, KeysSayHeightsToo) {
+  std::vector<std::string> warnings;
+  const Crs feet = crs_from_text("EPSG:2154+8228");  // NAVD88 height (ft)
+  const Crs read = crs_from_vlrs(crs_records(feet, false), false, warnings);
+  EXPECT_EQ(read.epsg, 2154);
+  EXPECT_EQ(read.metres_per_unit_z, feet.metres_per_unit_z);
+  EXPECT_EQ(read.wkt, feet.wkt);
+  const Crs of_one_code = crs_from_vlrs(crs_records(crs_from_epsg(7415), false), false, warnings);  // 28992 + 5709
+  EXPECT_EQ(of_one_code.wkt.substr(0, 8), "COMPD_CS");
+  Crs own;
+  own.wkt = "LOCAL_CS[\"own\",UNIT[\"metre\",1]]";
+  EXPECT_TRUE(crs_records(own, false).empty());
+  EXPECT_TRUE(warnings.empty());
+}
+
 TEST(Crs, ReplacingGoesThroughTheFile) {
   const Folder folder;
   CloudSpec spec;
@@ -108,6 +123,30 @@ TEST(Crs, ReplacingGoesThroughTheFile) {
   EXPECT_EQ(info.crs.epsg, 2154);
   EXPECT_EQ(info.vlrs.size(), 2u);
   EXPECT_TRUE(info.warnings.empty());
+}
+
+TEST(Crs, WithoutACodeNeedsLas14) {
+  const Folder folder;
+  const Crs foot = crs_from_text(
+      "PROJCS[\"of this place\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257223563]],"
+      "PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]],PROJECTION[\"Transverse_Mercator\"],"
+      "PARAMETER[\"latitude_of_origin\",47.3],PARAMETER[\"central_meridian\",4.1],PARAMETER[\"scale_factor\",1],"
+      "PARAMETER[\"false_easting\",651000],PARAMETER[\"false_northing\",6861000],UNIT[\"foot\",0.3048]]");
+  ASSERT_EQ(foot.epsg, 0);
+  for (const auto& [crs, minor] : {std::pair{foot, 4}, std::pair{crs_from_epsg(2994), 2}}) {
+    CloudSpec spec;
+    spec.like.header.resize(227);
+    spec.like.version_minor = 2;
+    spec.like.layout.point_format = 0;
+    spec.like.layout.record_length = 20;
+    replace_crs(spec.like, crs);
+    create_cloud(folder / "a.las", spec)->finish();
+    const CloudInfo info = open_cloud(folder / "a.las")->info();
+    EXPECT_EQ(info.version_minor, minor);
+    EXPECT_NEAR(info.crs.metres_per_unit, 0.3048, 1e-12);
+    EXPECT_TRUE(info.warnings.empty());
+    EXPECT_EQ(info.vlrs.size(), 1u);
+  }
 }
 
 TEST(Crs, DamagedRecordsAreNoCrs) {
