@@ -11,6 +11,7 @@
 
 #include "engine/pass/pass.h"
 #include "engine/pass/resident.h"
+#include "engine/products/facades/elements/facade_elements.h"
 #include "engine/proof/facade_proof.h"
 #include "engine/proof/facade_sight.h"
 
@@ -145,6 +146,7 @@ void mark_bare_sides(FoundFacade& found, double reach) {
       seen += side.front().status != DrawnStatus::occluded;
     }
     if (bare == 0) continue;
+    if (e.opening) state_size_errors(e);
     found.occluded_edges += bare;
     if (seen == 0 && e.opening) e.status = DrawnStatus::occluded;
     e.reason += std::string(e.reason.empty() ? "" : "; ") + "no point lies along a side of it";

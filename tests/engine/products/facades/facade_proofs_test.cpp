@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace ilot {
@@ -49,6 +50,12 @@ TEST(FacadeProofs, AnOpeningOfWhichNothingWasSeenIsOccluded) {
   mark_bare_sides(found, 0.06);
   EXPECT_EQ(found.facade.elements[0].status, DrawnStatus::occluded);
   EXPECT_EQ(found.occluded_edges, 4u);
+}
+
+TEST(FacadeProofs, ASizeIsKnownNoBetterThanASideWithoutPoints) {
+  FoundFacade found = with_opening({5, 0, 7, 9});
+  mark_bare_sides(found, 0.06);
+  EXPECT_NEAR(found.facade.elements[0].width_error_m, std::sqrt(0.06 * 0.06 + 0.004 * 0.004), 1e-12);
 }
 
 }  // namespace
