@@ -114,6 +114,13 @@ bool is_headed(const FacadeElement& e) {
   return e.edges.size() > kSides.size() && (e.opening || !e.arcs.empty());
 }
 
+// What is said of an opening a part of which is empty. That rays crossed it is known of stations only.
+std::string words_of_silence(const FacadeSite& site, const FoundRectangle& r) {
+  const bool has_points = r.points > 0 && r.depth != 0;
+  if (site.stations.empty()) return has_points ? "a part of it has no points" : "no points in it";
+  return has_points ? "no echo came back through a part of it" : "no echo came back through it";
+}
+
 }  // namespace
 
 FacadeElement element_of(const FacadeSite& site, const ElementCandidate& candidate) {
@@ -143,7 +150,7 @@ FacadeElement element_of(const FacadeSite& site, const ElementCandidate& candida
   const auto hidden = static_cast<std::size_t>(std::count_if(
       r.sides.begin(), r.sides.end(), [](const LocatedEdge& edge) { return edge.status == DrawnStatus::occluded; }));
   e.reason = candidate.reason;
-  if (r.no_echo) e.reason = std::string("no echo came back through it") + (e.reason.empty() ? "" : "; ") + e.reason;
+  if (r.no_echo) e.reason = words_of_silence(site, r) + (e.reason.empty() ? "" : "; ") + e.reason;
   if (hidden == r.sides.size()) e.status = DrawnStatus::occluded;
   e.width_m = r.box().width();
   e.height_m = r.box().height();
@@ -174,8 +181,9 @@ FacadeElement unseen_of(const FacadeSite& site, const UnseenArea& area) {
   e.kind = area.straight ? "possible opening" : "not seen";
   e.region = FacadeRegion::facade;
   e.status = DrawnStatus::occluded;
-  e.reason =
-      area.straight ? "a hole with straight sides that no free ray is known to have crossed" : "no ray reached it";
+  // Without stations no ray is known; that there are no points is all that can be said.
+  const char* const bare = site.stations.empty() ? "no points there" : "no ray reached it";
+  e.reason = area.straight ? "a hole with straight sides that no free ray is known to have crossed" : bare;
   if (area.hidden) e.reason = "too little of this opening was seen";
   const Box2 box = box_of(area.ring);
   for (const Place2& p : area.ring) {

@@ -19,7 +19,8 @@ FacadeElement element_of(const FacadeSite& site, const ElementCandidate& candida
 // Gives the wall itself within its outline.
 FacadeElement wall_of(const RaySamples& samples, const WallOutline& outline);
 
-// Gives a part of the wall that no ray reached. A rectangle is a possible opening.
+// Gives a part of the wall without points. A rectangle is a possible opening. Its reason says that no ray reached it
+// only where a station is known.
 FacadeElement unseen_of(const FacadeSite& site, const UnseenArea& area);
 
 // The part of the wall that an opening of which too little was seen is drawn as.

@@ -77,5 +77,23 @@ TEST(FacadeElements, ASizeFromAnEdgeDrawnByHandHasNoError) {
   EXPECT_GT(e.height_error_m, 0);
 }
 
+TEST(FacadeElements, NothingIsSaidOfRaysWhereNoStationIsKnown) {
+  UnseenArea area;
+  area.ring = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  EXPECT_EQ(unseen_of(site_with(0), area).reason, "no points there");
+  EXPECT_EQ(unseen_of(site_with(1), area).reason, "no ray reached it");
+}
+
+TEST(FacadeElements, AnOpeningWithADepthGaveEchoes) {
+  ElementCandidate candidate = plain();
+  candidate.shape.no_echo = true;
+  EXPECT_EQ(element_of(site_with(1), candidate).reason, "no echo came back through it");
+  EXPECT_EQ(element_of(site_with(0), candidate).reason, "no points in it");
+  candidate.shape.points = 3347;
+  candidate.shape.depth = -0.05;
+  EXPECT_EQ(element_of(site_with(1), candidate).reason, "no echo came back through a part of it");
+  EXPECT_EQ(element_of(site_with(0), candidate).reason, "a part of it has no points");
+}
+
 }  // namespace
 }  // namespace ilot
