@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 
@@ -217,6 +218,29 @@ bool has_level(const FacadeElement& e) {
          (is_opening(e) || role == DrawingRole::outline || role == DrawingRole::band || role == DrawingRole::balcony);
 }
 
+struct Height {
+  double y = 0;
+  bool outline = false;  // of the wall itself
+};
+
+// The height that stands for those of a group, lowest first, which are too near to each other to be written each: the
+// lowest of the outline, otherwise the one that is written most often, the lowest of such. It is one of them: a mean of
+// different things would be the height of none.
+double level_of(std::span<const Height> group, const Drawing& drawing) {
+  const auto outline = std::find_if(group.begin(), group.end(), [](const Height& h) { return h.outline; });
+  if (outline != group.end()) return outline->y;
+  double best = group.front().y;
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < group.size();) {
+    const std::string written = in_centimetres(group[i].y, drawing);
+    std::size_t end = i;
+    while (end < group.size() && in_centimetres(group[end].y, drawing) == written) ++end;
+    if (end - i > most) most = end - i, best = group[i].y;
+    i = end;
+  }
+  return best;
+}
+
 }  // namespace
 
 void add_numbers(const Facade& facade, std::span<const FlatElement> flat, Drawing& drawing) {
@@ -246,21 +270,21 @@ void add_numbers(const Facade& facade, std::span<const FlatElement> flat, Drawin
 }
 
 void add_levels(const Facade& facade, std::span<const FlatElement> flat, const FlatBox& plan, Drawing& drawing) {
-  std::vector<double> heights;
+  std::vector<Height> heights;
   for (std::size_t i = 0; i < flat.size(); ++i)
     if (has_level(facade.elements[i]) && !flat[i].corners.empty()) {
-      heights.insert(heights.end(), {flat[i].box.min.y, flat[i].box.max.y});
-      if (facade.elements[i].kind == "outline")  // feet of gables, steps
-        for (const DrawingCorner& corner : flat[i].corners) heights.push_back(corner.y);
+      const bool outline = facade.elements[i].kind == "outline";
+      heights.insert(heights.end(), {{flat[i].box.min.y, outline}, {flat[i].box.max.y, outline}});
+      if (outline)  // feet of gables, steps
+        for (const DrawingCorner& corner : flat[i].corners) heights.push_back({corner.y, true});
     }
-  std::sort(heights.begin(), heights.end());
+  std::sort(heights.begin(), heights.end(), [](const Height& a, const Height& b) { return a.y < b.y; });
   const double same = drawing.paper_mm(kSameLevel), height = drawing.paper_mm(kSmall);
   std::vector<double> levels;
   for (std::size_t i = 0; i < heights.size();) {
     std::size_t end = i;
-    double sum = 0;
-    for (; end < heights.size() && heights[end] - heights[i] <= same; ++end) sum += heights[end];
-    levels.push_back(sum / static_cast<double>(end - i));
+    while (end < heights.size() && heights[end].y - heights[i].y <= same) ++end;
+    levels.push_back(level_of(std::span(heights).subspan(i, end - i), drawing));
     i = end;
   }
   const std::vector<double> places = spread(levels, 1.5 * height);

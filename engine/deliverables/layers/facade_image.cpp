@@ -9,7 +9,6 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
-#include <numeric>
 
 #include "engine/deliverables/drawings/facade_plan.h"
 #include "engine/deliverables/layers/silent_gdal.h"
@@ -23,6 +22,12 @@ namespace {
 
 constexpr double kStep = 1e-4;  // metres, of distances from the wall
 constexpr double kCounted = 4;  // metres along a side of the parts whose points are counted together
+// Choice: wider than the gaps between points of sparse scans, narrower than what of a wall was not seen.
+constexpr double kCovered = 0.25;  // metres along a side of the cells that have points or not
+// Derived: with two points along each side hardly a cell has none by chance: e to the power of -4, 2 %.
+constexpr double kAcross = 2;  // points along a side of such a cell
+// Choice: 2 MiB a part; without tiles a facade is one part, and of one longer than a kilometre the cells are larger.
+constexpr double kMostCells = 4096;  // along a side of a part
 
 FlatBox extent_of(const Facade& facade, const FacadeImageParams& params) {
   const FlatPoint origin = flat_place(facade, facade.origin, params.metres_per_unit);
@@ -48,11 +53,14 @@ Box3<Vec3> box_about(const Facade& facade, const FlatBox& part, const FacadeImag
   return box;
 }
 
+double pieces_of(double length, double longest) {
+  constexpr double kMost = 64;
+  return std::clamp(std::ceil(length / longest), 1.0, kMost);
+}
+
 // Divides a box along both axes; an end does not belong to a part when the next part begins there.
 std::vector<FlatBox> parts_of(const FlatBox& box, double longest) {
-  constexpr double kMost = 64;
-  const auto pieces = [&](double length) { return std::clamp(std::ceil(length / longest), 1.0, kMost); };
-  const double across = pieces(box.width()), up = pieces(box.height());
+  const double across = pieces_of(box.width(), longest), up = pieces_of(box.height(), longest);
   std::vector<FlatBox> parts;
   const auto at = [](double from, double to, double step, double steps) {
     return step == steps ? to : from + (to - from) * (step / steps);
@@ -64,33 +72,59 @@ std::vector<FlatBox> parts_of(const FlatBox& box, double longest) {
   return parts;
 }
 
-std::uint64_t count_points(const Facade& facade, const PointSource& source, const FlatBox& extent, const FlatBox& part,
-                           const FacadeImageParams& params) {
-  std::uint64_t inside = 0;
+// What of a part of the drawing has points.
+struct Cover {
+  std::uint64_t points = 0;
+  double area = 0;  // square metres
+};
+
+Cover cover_of(const Facade& facade, const PointSource& source, const FlatBox& extent, const FlatBox& part,
+               const FacadeImageParams& params) {
+  // The cells of a whole are those of its parts.
+  const auto cells = [](double length) {
+    const double pieces = pieces_of(length, kCounted);
+    return std::clamp(pieces * std::ceil(length / pieces / kCovered), 1.0, kMostCells);
+  };
+  const double columns = cells(part.width()), rows = cells(part.height());
+  std::vector<bool> covered(static_cast<std::size_t>(columns * rows));
+  Cover cover;
   const auto within = [](double v, double low, double high, double last) {
     return v >= low && (v < high || (v == high && high == last));
+  };
+  const auto cell = [](double v, double low, double length, double count) {
+    return length > 0 && std::isfinite(length) ? std::min(std::floor((v - low) / length * count), count - 1) : 0;
   };
   source(box_about(facade, part, params), [&](std::span<const ImagePoint> points) {
     for (const ImagePoint& point : points) {
       const FlatPoint p = flat_place(facade, point.position, params.metres_per_unit);
       const double out = params.metres_per_unit * dot(point.position - facade.origin, facade.out);
-      inside += within(p.x, part.min.x, part.max.x, extent.max.x) &&
-                within(p.y, part.min.y, part.max.y, extent.max.y) && out <= params.front_m && out >= -params.behind_m;
+      if (!within(p.x, part.min.x, part.max.x, extent.max.x) || !within(p.y, part.min.y, part.max.y, extent.max.y) ||
+          !(out <= params.front_m && out >= -params.behind_m))
+        continue;
+      ++cover.points;
+      covered[static_cast<std::size_t>(cell(p.y, part.min.y, part.height(), rows) * columns +
+                                       cell(p.x, part.min.x, part.width(), columns))] = true;
     }
   });
-  return inside;
+  const auto count = static_cast<double>(std::count(covered.begin(), covered.end(), true));
+  cover.area = part.width() * part.height() * count / (columns * rows);
+  return cover;
 }
 
-// Returns the mean distance of points, rounded up to 1, 2 or 5 in its decade.
+// Returns the mean distance of points where there are some, rounded up to 1, 2 or 5 in its decade.
 double mean_distance(const Facade& facade, const PointSource& source, const FlatBox& extent,
                      const FacadeImageParams& params) {
   const std::vector<FlatBox> parts = params.tile > 0 ? parts_of(extent, kCounted) : std::vector<FlatBox>{extent};
-  std::vector<std::uint64_t> counts(parts.size());
-  parallel_for(parts.size(),
-               [&](std::size_t i) { counts[i] = count_points(facade, source, extent, parts[i], params); });
-  const std::uint64_t inside = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
-  const double distance =
-      std::sqrt(extent.width() * extent.height() / static_cast<double>(std::max<std::uint64_t>(inside, 1)));
+  std::vector<Cover> covers(parts.size());
+  parallel_for(parts.size(), [&](std::size_t i) { covers[i] = cover_of(facade, source, extent, parts[i], params); });
+  Cover all;
+  for (const Cover& cover : covers) all.points += cover.points, all.area += cover.area;
+  const auto distance_in = [&](double area) {
+    return std::sqrt(area / static_cast<double>(std::max<std::uint64_t>(all.points, 1)));
+  };
+  double distance = distance_in(all.area);
+  // Cells without a point say nothing where points are too sparse.
+  if (all.points == 0 || distance > kCovered / kAcross) distance = distance_in(extent.width() * extent.height());
   for (double decade = 0.001; decade < 1; decade *= 10)
     for (const double step : {1.0, 2.0, 5.0})
       if (step * decade >= distance && step * decade > 0.0015) return step * decade;

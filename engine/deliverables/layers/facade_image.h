@@ -28,7 +28,7 @@ using PointSource = std::function<void(const Box3<Vec3>& box, const std::functio
 enum class ImageShade : std::uint8_t { colour, relief };  // relief: points nearer to the street are lighter
 
 struct FacadeImageParams {
-  double pixel_m = 0;  // 0: the mean distance between points, rounded up to 1, 2 or 5 (2 mm or more)
+  double pixel_m = 0;  // 0: the mean distance between points where there are some, up to 1, 2 or 5 (2 mm or more)
   std::uint64_t most_pixels = std::uint64_t{1} << 24;  // the pixel size is doubled until these pixels are enough
   std::uint32_t tile = 0;              // pixels along a side of the parts that are computed in parallel; 0: one part
   double around_m = 0.25;              // margin beyond the elements

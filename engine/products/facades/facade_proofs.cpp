@@ -11,6 +11,7 @@
 
 #include "engine/pass/pass.h"
 #include "engine/pass/resident.h"
+#include "engine/products/facades/elements/facade_elements.h"
 #include "engine/proof/facade_proof.h"
 #include "engine/proof/facade_sight.h"
 
@@ -127,11 +128,35 @@ std::vector<std::span<FacadeEdge>> sides_of(FacadeElement& e) {
   return sides;
 }
 
+// Recesses and what stands out, but for the steps between two walls, which are as well known as the outline of the
+// other wall and have no error of depth.
+bool is_relief_of_its_own(const FacadeElement& e) {
+  return (e.kind == "recess" || e.kind == "protrusion") && e.depth_error_m > 0 && e.edges.size() == 4 &&
+         e.ring.size() == e.edges.size();
+}
+
+// Whether points lie along less than half of the outline of an element, and along half of only one of its sides or of
+// none.
+bool is_hardly_seen(const FacadeElement& e) {
+  // Choice: half of it; a side of which less was seen is `weak` in the evidence too.
+  constexpr double kHalf = 0.5;
+  double length = 0, covered = 0;
+  int sides = 0;
+  for (std::size_t i = 0; i < e.edges.size(); ++i) {
+    const Vec3 along = e.ring[(i + 1) % e.ring.size()] - e.ring[i];
+    const double share = e.edges[i].points > 0 ? e.edges[i].covered_share : 0;
+    length += std::sqrt(dot(along, along)), covered += share * std::sqrt(dot(along, along));
+    sides += share >= kHalf;
+  }
+  return sides < 2 && covered < kHalf * length;
+}
+
 }  // namespace
 
 void mark_bare_sides(FoundFacade& found, double reach) {
   for (FacadeElement& e : found.facade.elements) {
-    if ((!e.opening && e.kind != "outline") || e.status != DrawnStatus::seen) continue;
+    const bool relief = is_relief_of_its_own(e);
+    if ((!e.opening && e.kind != "outline" && !relief) || e.status != DrawnStatus::seen) continue;
     std::size_t bare = 0, seen = 0;
     for (const std::span<FacadeEdge> side : sides_of(e)) {
       const auto has_points = [](const FacadeEdge& edge) { return edge.points > 0; };
@@ -144,10 +169,15 @@ void mark_bare_sides(FoundFacade& found, double reach) {
       }
       seen += side.front().status != DrawnStatus::occluded;
     }
+    const bool hardly = relief && is_hardly_seen(e);
+    if (hardly) e.status = DrawnStatus::completed;  // its face may have thousands of points
+    const auto add_reason = [&](const char* words) { e.reason += (e.reason.empty() ? "" : "; ") + std::string(words); };
+    if (hardly) add_reason("points lie along too little of its sides");
     if (bare == 0) continue;
+    if (e.kind != "outline") state_size_errors(e);
     found.occluded_edges += bare;
-    if (seen == 0 && e.opening) e.status = DrawnStatus::occluded;
-    e.reason += std::string(e.reason.empty() ? "" : "; ") + "no point lies along a side of it";
+    if (seen == 0 && e.kind != "outline") e.status = DrawnStatus::occluded;
+    add_reason("no point lies along a side of it");
   }
 }
 

@@ -18,7 +18,9 @@ void prove_facades(const FacadeWork& work, std::span<const WallGroup> walls, std
 
 // A side of an opening or of the outline along which no point lies at all was not seen, whatever the rays farther off
 // let expect: its edges become `occluded`. The chords of a head are one side. Its place is not known better than
-// `reach`, the metres within which points would lie along it.
+// `reach`, the metres within which points would lie along it. The same is done with recesses and what stands out.
+// Where points lie along half of only one of their sides or of none, and along less than half of all sides together,
+// they are `completed`.
 void mark_bare_sides(FoundFacade& found, double reach);
 
 }  // namespace ilot

@@ -109,6 +109,18 @@ double both(double a, double b) {
   return std::sqrt(a * a + b * b);
 }
 
+// Whether the edges of an element after the second one are the chords of a head and then its left side.
+bool is_headed(const FacadeElement& e) {
+  return e.edges.size() > kSides.size() && (e.opening || !e.arcs.empty());
+}
+
+// What is said of an opening a part of which is empty. That rays crossed it is known of stations only.
+std::string words_of_silence(const FacadeSite& site, const FoundRectangle& r) {
+  const bool has_points = r.points > 0 && r.depth != 0;
+  if (site.stations.empty()) return has_points ? "a part of it has no points" : "no points in it";
+  return has_points ? "no echo came back through a part of it" : "no echo came back through it";
+}
+
 }  // namespace
 
 FacadeElement element_of(const FacadeSite& site, const ElementCandidate& candidate) {
@@ -138,13 +150,12 @@ FacadeElement element_of(const FacadeSite& site, const ElementCandidate& candida
   const auto hidden = static_cast<std::size_t>(std::count_if(
       r.sides.begin(), r.sides.end(), [](const LocatedEdge& edge) { return edge.status == DrawnStatus::occluded; }));
   e.reason = candidate.reason;
-  if (r.no_echo) e.reason = std::string("no echo came back through it") + (e.reason.empty() ? "" : "; ") + e.reason;
+  if (r.no_echo) e.reason = words_of_silence(site, r) + (e.reason.empty() ? "" : "; ") + e.reason;
   if (hidden == r.sides.size()) e.status = DrawnStatus::occluded;
   e.width_m = r.box().width();
   e.height_m = r.box().height();
   e.depth_m = r.depth;
-  e.width_error_m = both(r.error(Side::left), r.error(Side::right));
-  e.height_error_m = both(r.error(Side::bottom), r.error(Side::top));
+  state_size_errors(e);
   e.depth_error_m = r.depth_error;
   e.points = r.points;
   if (r.is_rectangle() && r.depth != 0 && r.end) e.body = body_between(site, r.box(), 0, *r.end, r.depth);
@@ -170,8 +181,9 @@ FacadeElement unseen_of(const FacadeSite& site, const UnseenArea& area) {
   e.kind = area.straight ? "possible opening" : "not seen";
   e.region = FacadeRegion::facade;
   e.status = DrawnStatus::occluded;
-  e.reason =
-      area.straight ? "a hole with straight sides that no free ray is known to have crossed" : "no ray reached it";
+  // Without stations no ray is known; that there are no points is all that can be said.
+  const char* const bare = site.stations.empty() ? "no points there" : "no ray reached it";
+  e.reason = area.straight ? "a hole with straight sides that no free ray is known to have crossed" : bare;
   if (area.hidden) e.reason = "too little of this opening was seen";
   const Box2 box = box_of(area.ring);
   for (const Place2& p : area.ring) {
@@ -217,17 +229,32 @@ std::uint64_t unseen_sides(const FacadeElement& e) {
   const auto unseen = [](const FacadeEdge& edge) {
     return edge.status == DrawnStatus::completed || edge.status == DrawnStatus::occluded;
   };
-  const bool headed = e.edges.size() > kSides.size() && (e.opening || !e.arcs.empty());
-  if (!headed) return static_cast<std::uint64_t>(std::count_if(e.edges.begin(), e.edges.end(), unseen));
+  if (!is_headed(e)) return static_cast<std::uint64_t>(std::count_if(e.edges.begin(), e.edges.end(), unseen));
   // The edges of a head lie between the right side and the left side, which is the last one.
   return static_cast<std::uint64_t>(unseen(e.edges[0])) + unseen(e.edges[1]) + unseen(e.edges[2]) +
          unseen(e.edges.back());
 }
 
+void state_size_errors(FacadeElement& e) {
+  if (e.edges.size() != kSides.size() && !is_headed(e)) return;
+  // 0 where one of the two was set by hand, which has no stated error.
+  const auto of_two = [](const FacadeEdge& a, const FacadeEdge& b) {
+    const bool by_hand = a.status == DrawnStatus::by_hand || b.status == DrawnStatus::by_hand;
+    return by_hand ? 0 : both(a.error_m, b.error_m);
+  };
+  const auto less = [](const FacadeEdge& a, const FacadeEdge& b) { return a.error_m < b.error_m; };
+  e.width_error_m = of_two(e.edges[1], e.edges.back());
+  e.height_error_m = of_two(e.edges[0], *std::max_element(e.edges.begin() + 2, e.edges.end() - 1, less));
+}
+
 void add_registration(double error, std::span<FacadeElement> elements) {
-  for (FacadeElement& e : elements)
+  const double of_two = both(error, error);
+  for (FacadeElement& e : elements) {
     for (FacadeEdge& edge : e.edges)
       if (edge.error_m > 0) edge.error_m = both(edge.error_m, error);
+    for (double* size : {&e.width_error_m, &e.height_error_m})
+      if (*size > 0) *size = both(*size, of_two);
+  }
 }
 
 }  // namespace ilot

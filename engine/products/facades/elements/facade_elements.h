@@ -19,7 +19,8 @@ FacadeElement element_of(const FacadeSite& site, const ElementCandidate& candida
 // Gives the wall itself within its outline.
 FacadeElement wall_of(const RaySamples& samples, const WallOutline& outline);
 
-// Gives a part of the wall that no ray reached. A rectangle is a possible opening.
+// Gives a part of the wall without points. A rectangle is a possible opening. Its reason says that no ray reached it
+// only where a station is known.
 FacadeElement unseen_of(const FacadeSite& site, const UnseenArea& area);
 
 // The part of the wall that an opening of which too little was seen is drawn as.
@@ -31,8 +32,13 @@ FacadeElement irregularity_of(const FacadeSite& site, const Irregularity& irregu
 // The number of sides of an element that are drawn although they were not seen. An opening has four, whatever its form.
 std::uint64_t unseen_sides(const FacadeElement& element);
 
+// States the errors of width and height of an element with four sides: the root of the sum of the squares of the stated
+// errors of the two sides that a size lies between, which are independent of each other. Of a head that has several
+// edges the largest error counts. To be called after each change of errors of edges; others keep what they have.
+void state_size_errors(FacadeElement& element);
+
 // Adds to the errors of edges what the place of their stations is uncertain by (registration_error), as the root of the
-// sum of both squares. Sizes do not change with it.
+// sum of both squares. Sizes get it once for each of their two sides, which different stations may have seen.
 void add_registration(double error, std::span<FacadeElement> elements);
 
 }  // namespace ilot

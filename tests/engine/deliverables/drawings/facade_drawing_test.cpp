@@ -49,6 +49,16 @@ FlatBox box_of(const DrawingText& text) {
   return {x, text.y, x + width, text.y + text.height};
 }
 
+// The foot of the wall and a door sill, two centimetres apart, and three heads within as much.
+TEST(FacadeDrawing, ALevelIsThatOfSomething) {
+  std::vector<FacadeElement> elements{
+      drawn("outline", wall_rectangle(0, 0.011, 9, 10)), drawn("door", wall_rectangle(1, 0.029, 2, 2.484)),
+      drawn("window", wall_rectangle(3, 1, 4, 2.5)), drawn("window", wall_rectangle(5, 1, 6, 2.5))};
+  const auto levels = texts_of(facade_drawing(facade_of(elements)), DrawingRole::level);
+  for (const char* z : {"0.01", "1.00", "2.50", "10.00"}) EXPECT_EQ(levels.count(z), 1u) << z;
+  EXPECT_EQ(levels.size(), 4u);
+}
+
 TEST(FacadeDrawing, NumbersLevelsAndChains) {
   const Drawing drawing = facade_drawing(drawn_facade());
   const auto numbers = texts_of(drawing, DrawingRole::number);

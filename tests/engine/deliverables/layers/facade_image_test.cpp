@@ -75,6 +75,16 @@ TEST(FacadeImage, AnyOrderAndAnyPiecesGiveTheSameBytes) {
   EXPECT_EQ(once.rgba, turned.rgba);
 }
 
+TEST(FacadeImage, APixelIsTheDistanceOfPointsHoweverMuchOfTheWallIsBare) {
+  const std::vector<ImagePoint> points = a_wall();
+  const Facade facade = facade_of({drawn("outline", wall_rectangle(0, 0, 12, 9))});
+  for (const std::uint32_t tile : {0u, 512u}) {
+    FacadeImageParams params;
+    params.tile = tile;
+    EXPECT_EQ(facade_image(facade, source_of(points, 1000), params).pixel_m, 0.02) << tile;
+  }
+}
+
 // Gaps lie across the borders of tiles, and a tile is seen from its own points alone.
 TEST(FacadeImage, TilesAreInvisible) {
   std::vector<ImagePoint> points = a_wall();

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace ilot {
@@ -49,6 +50,37 @@ TEST(FacadeProofs, AnOpeningOfWhichNothingWasSeenIsOccluded) {
   mark_bare_sides(found, 0.06);
   EXPECT_EQ(found.facade.elements[0].status, DrawnStatus::occluded);
   EXPECT_EQ(found.occluded_edges, 4u);
+}
+
+TEST(FacadeProofs, ASizeIsKnownNoBetterThanASideWithoutPoints) {
+  FoundFacade found = with_opening({5, 0, 7, 9});
+  mark_bare_sides(found, 0.06);
+  EXPECT_NEAR(found.facade.elements[0].width_error_m, std::sqrt(0.06 * 0.06 + 0.004 * 0.004), 1e-12);
+}
+
+FacadeElement recess_with(std::vector<double> shares) {
+  FacadeElement e;
+  e.kind = "recess";
+  e.depth_error_m = 0.01;
+  e.ring = {{0, 0, 0}, {3, 0, 0}, {3, 0, 1}, {0, 0, 1}};
+  for (const double share : shares)
+    e.edges.push_back({DrawnStatus::seen, share > 0 ? 9u : 0u, 0.001, 0.004, 0, {}, share});
+  return e;
+}
+
+TEST(FacadeProofs, ARecessIsSeenOnlyWhereItsSidesAre) {
+  FoundFacade found;
+  found.facade.elements = {recess_with({0.03, 0, 0.03, 1}), recess_with({0.03, 1, 0.03, 1}),
+                           recess_with({1, 0.4, 0.4, 0.4}), recess_with({0, 0, 0, 0})};
+  mark_bare_sides(found, 0.06);
+  const std::vector<FacadeElement>& e = found.facade.elements;
+  EXPECT_EQ(e[0].status, DrawnStatus::completed);
+  EXPECT_EQ(e[0].edges[1].status, DrawnStatus::occluded);
+  EXPECT_EQ(e[0].edges[0].status, DrawnStatus::seen);
+  EXPECT_FALSE(e[0].reason.empty());
+  EXPECT_EQ(e[1].status, DrawnStatus::seen) << "two sides";
+  EXPECT_EQ(e[2].status, DrawnStatus::seen) << "more than half of it";
+  EXPECT_EQ(e[3].status, DrawnStatus::occluded);
 }
 
 }  // namespace
