@@ -196,6 +196,13 @@ class Cli(CliCase):
             "convert", self.cloud, self.folder / "copy.xyzzy").returncode)
         self.refuse(["convert", self.cloud, self.folder / "none" / "copy.las", "-q"], "copy.las", code=1)
 
+    def test_closing_lines_say_what_there_is(self):
+        done = ilot("run", self.cloud, "-o", self.out, "--products", "planes,facades", "--no-report")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        said = (done.stdout + done.stderr).splitlines()
+        self.assertIn("facades  0 facades", said)
+        self.assertIn(f"planes   1 plane: {self.out}/planes.gpkg", said)
+
     def test_convert_salvages(self):
         short = las_file(self.folder / "short.las", [(0, 0, 0, 2), (1000, 0, 0, 2)], declared=5)
         done = ilot("convert", short, self.folder / "copy.las")
