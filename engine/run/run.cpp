@@ -271,6 +271,8 @@ int run_in_arena(const RunOptions& given, const TrainObjectModel& learn, Progres
   RunRecord record;
   RunOptions options = given;
   const double start = now();
+  if (makes(options, "streets") && !options.train.empty() && !std::filesystem::exists(options.train))
+    throw Error(options.train.string() + ": no such file", ExitCode::usage);
   std::optional<OutputFolder> out;
   if (!options.dry_run) out.emplace(options, progress);
   const RunInputs inputs = open_inputs(options, progress, record);

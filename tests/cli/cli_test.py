@@ -40,6 +40,8 @@ class Cli(CliCase):
         self.refuse(["run", c, "-o", o, "--log-json", "fd:99"], "fd:99")
         self.refuse(["run", c, "-o", o, "--log-json", "fd:x"], "fd:N")
         self.refuse(["run", c, "-o", o, "--config", self.folder / "none.toml"], "none.toml")
+        for option in ("--config", "--within", "--footprints", "--stations", "--train", "--edits"):
+            self.refuse(["run", c, "-o", o, "--products", "planes,roofs,facades,streets", option, "none.x"], "none.x")
         self.refuse(["run", c, "-o", o, "--frobnicate"], "--frobnicate")
 
     def test_configuration_faults_name_the_place(self):

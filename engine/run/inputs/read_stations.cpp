@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "engine/error.h"
+#include "engine/formats/remote_file.h"
 #include "engine/formats/tables/lines.h"
 
 namespace ilot {
@@ -108,6 +109,7 @@ Station station_of(const StationFields& fields, const ColumnOrder& order, const 
 }  // namespace
 
 std::vector<Station> read_stations(const std::filesystem::path& path) {
+  if (!is_remote(path) && !std::filesystem::exists(path)) refuse_stations(path.string(), "there is no such file");
   const InputFile file(path);
   LineReader lines(file, 0);
   std::vector<Station> stations;
