@@ -198,6 +198,13 @@ class Cli(CliCase):
             "convert", self.cloud, self.folder / "copy.xyzzy").returncode)
         self.refuse(["convert", self.cloud, self.folder / "none" / "copy.las", "-q"], "copy.las", code=1)
 
+    def test_compressed_files_are_to_be_unpacked(self):
+        for magic, name in ((b"\x1f\x8b", "gzip"), (b"PK\x03\x04", "zip"), (b"7z\xbc\xaf\x27\x1c", "7-Zip")):
+            for ending in ("xyz.gz", "xyz", "las"):
+                path = self.folder / f"packed.{ending}"
+                path.write_bytes(magic + bytes(100))
+                self.refuse(["info", path], f"is compressed ({name}); unpack it first", code=1)
+
     def test_closing_lines_say_what_there_is(self):
         done = ilot("run", self.cloud, "-o", self.out, "--products", "planes,facades", "--no-report")
         self.assertEqual(done.returncode, 3, done.stderr)
