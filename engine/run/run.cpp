@@ -286,7 +286,10 @@ int run_in_arena(const RunOptions& given, const TrainObjectModel& learn, Progres
           ? std::vector<PlannedSite>{}
           : plan_footprints(options.footprints, options.id_field, inputs.crs, progress, record);
   if (options.dry_run) return dry_run(options, inputs, sites.size(), progress);
-  if (out->open(inputs) == Opened::finished) {
+  const Opened opened = out->open(inputs);
+  if (opened == Opened::fresh && options.existing == Existing::resume)
+    progress.note(options.output.string() + ": holds no interrupted run that --resume could go on with; starts afresh");
+  if (opened == Opened::finished) {
     out->finish(options.keep_store);
     progress.note(options.output.string() + ": is finished, nothing is left to do");
     return 0;

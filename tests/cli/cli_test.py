@@ -212,6 +212,12 @@ class Cli(CliCase):
         self.assertIn("facades  0 facades", said)
         self.assertIn(f"planes   1 plane: {self.out}/planes.gpkg", said)
 
+    def test_resume_of_nothing_is_said(self):
+        done = ilot("run", self.cloud, "-o", self.out, "--resume", "--no-report")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(f"ilot: {self.out}: holds no interrupted run that --resume could go on with; starts afresh",
+                      done.stderr.splitlines())
+
     def test_convert_salvages(self):
         short = las_file(self.folder / "short.las", [(0, 0, 0, 2), (1000, 0, 0, 2)], declared=5)
         done = ilot("convert", short, self.folder / "copy.las")
