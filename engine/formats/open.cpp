@@ -39,6 +39,14 @@ bool looks_like_ply(std::span<const std::byte> bytes) {
   return starts_with(bytes, "ply") && bytes.size() > 3 && std::isspace(std::to_integer<unsigned char>(bytes[3]));
 }
 
+// Returns what has packed the bytes, by their magic numbers; empty: nothing that is known.
+std::string_view packed_by(std::span<const std::byte> bytes) {
+  if (starts_with(bytes, "\x1f\x8b")) return "gzip";
+  if (starts_with(bytes, "PK\x03\x04")) return "zip";
+  if (starts_with(bytes, "7z\xbc\xaf\x27\x1c")) return "7-Zip";
+  return {};
+}
+
 std::unique_ptr<PointReader> open_las_family(std::unique_ptr<InputFile> file) {
   LasContainer container = parse_las(*file);
   if (container.compressed) return open_laz(std::move(file), std::move(container));
@@ -56,6 +64,8 @@ std::unique_ptr<PointReader> open_cloud(const std::filesystem::path& path, const
   if (file->size() == 0) throw Error(path.string() + ": is empty; fetch or export it again");
   std::array<std::byte, kSniffed> buffer;
   const auto beginning = std::span(buffer).first(file->read_at(0, buffer));
+  if (const std::string_view packer = packed_by(beginning); !packer.empty())
+    throw Error(path.string() + ": is compressed (" + std::string(packer) + "); unpack it first");
   const std::string extension = lower_extension(path);
   if (looks_like_las(beginning) || is_one_of(extension, {".las", ".laz"})) return open_las_family(std::move(file));
   if (looks_like_e57(beginning) || extension == ".e57") return open_e57(std::move(file));

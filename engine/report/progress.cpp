@@ -20,6 +20,8 @@ constexpr std::size_t kBarWidth = 20;  // Choice: letters; the line fits into 80
 constexpr double kSettleSeconds = 5;
 // Choice: before a fiftieth is done, the time left says nothing.
 constexpr double kLeastShare = 0.02;
+// Choice: what took less time gives no rate that says anything.
+constexpr double kLeastRateSeconds = 0.1;
 
 using Fields = std::vector<std::pair<std::string, std::string>>;
 
@@ -27,6 +29,12 @@ std::string duration(double seconds) {
   const auto whole = static_cast<std::uint64_t>(std::max(0.0, seconds) + 0.5);
   if (whole >= 3600) return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
   return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+// Empty where there is nothing to divide, or no time to divide it by.
+std::string rate_text(std::uint64_t points, double seconds) {
+  if (points == 0 || seconds < kLeastRateSeconds) return {};
+  return ", " + grouped(static_cast<std::uint64_t>(static_cast<double>(points) / seconds)) + " points/s";
 }
 
 }  // namespace
@@ -120,8 +128,7 @@ std::string Progress::stage_text() {
   const Rate r = rate();
   std::string text = options_.colour ? fmt::format("\x1b[1m{}\x1b[0m", stage_) : stage_;
   if (total_ > 0) text += fmt::format(" {:5.1f} %", 100 * stage_share());
-  text +=
-      fmt::format(", {} points, {} points/s", grouped(done), grouped(static_cast<std::uint64_t>(r.points_per_second)));
+  text += fmt::format(", {} points{}", grouped(done), rate_text(done, options_.clock() - stage_start_));
   if (r.eta_seconds >= 0) text += ", " + duration(r.eta_seconds) + " left";
   return text;
 }
@@ -201,10 +208,8 @@ void Progress::end_stage_locked() {
                        {"points", std::to_string(record.points)},
                        {"points_per_s", fmt::format("{:.0f}", rate().points_per_second)}});
   const bool points = shown_.count == 0;  // else their rate says nothing to people
-  const std::string rate_text =
-      points ? ", " + grouped(static_cast<std::uint64_t>(rate().points_per_second)) + " points/s" : "";
   line(fmt::format("{}: {} {} in {:.1f} s{}", stage_, grouped(points ? record.points : shown_.count), shown_.noun,
-                   record.seconds, rate_text),
+                   record.seconds, points ? rate_text(record.points, record.seconds) : ""),
        options_.live && !plan_.empty() ? Verbosity::verbose : Verbosity::normal);
   if (in_plan_) ++planned_;
   in_plan_ = false;

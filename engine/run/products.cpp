@@ -53,7 +53,8 @@ std::string product_lines(const std::vector<std::string>& asked, const RunRecord
   for (const Product* product : all_products()) {
     const std::string made = product->summary(record);
     if (made.empty() || std::ranges::find(asked, product->name) == asked.end()) continue;
-    text += fmt::format("{:<9}{}: {}\n", product->name, made, (folder / product->main_file).string());
+    const std::filesystem::path file = folder / product->main_file;
+    text += fmt::format("{:<9}{}{}\n", product->name, made, std::filesystem::exists(file) ? ": " + file.string() : "");
   }
   return text;
 }

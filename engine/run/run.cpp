@@ -271,6 +271,8 @@ int run_in_arena(const RunOptions& given, const TrainObjectModel& learn, Progres
   RunRecord record;
   RunOptions options = given;
   const double start = now();
+  if (makes(options, "streets") && !options.train.empty() && !std::filesystem::exists(options.train))
+    throw Error(options.train.string() + ": no such file", ExitCode::usage);
   std::optional<OutputFolder> out;
   if (!options.dry_run) out.emplace(options, progress);
   const RunInputs inputs = open_inputs(options, progress, record);
@@ -284,7 +286,10 @@ int run_in_arena(const RunOptions& given, const TrainObjectModel& learn, Progres
           ? std::vector<PlannedSite>{}
           : plan_footprints(options.footprints, options.id_field, inputs.crs, progress, record);
   if (options.dry_run) return dry_run(options, inputs, sites.size(), progress);
-  if (out->open(inputs) == Opened::finished) {
+  const Opened opened = out->open(inputs);
+  if (opened == Opened::fresh && options.existing == Existing::resume)
+    progress.note(options.output.string() + ": holds no interrupted run that --resume could go on with; starts afresh");
+  if (opened == Opened::finished) {
     out->finish(options.keep_store);
     progress.note(options.output.string() + ": is finished, nothing is left to do");
     return 0;

@@ -40,6 +40,8 @@ class Cli(CliCase):
         self.refuse(["run", c, "-o", o, "--log-json", "fd:99"], "fd:99")
         self.refuse(["run", c, "-o", o, "--log-json", "fd:x"], "fd:N")
         self.refuse(["run", c, "-o", o, "--config", self.folder / "none.toml"], "none.toml")
+        for option in ("--config", "--within", "--footprints", "--stations", "--train", "--edits"):
+            self.refuse(["run", c, "-o", o, "--products", "planes,roofs,facades,streets", option, "none.x"], "none.x")
         self.refuse(["run", c, "-o", o, "--frobnicate"], "--frobnicate")
 
     def test_configuration_faults_name_the_place(self):
@@ -195,6 +197,26 @@ class Cli(CliCase):
         self.refuse(["convert", self.cloud, self.folder / "copy.xyzzy"], "xyzzy", code=ilot(
             "convert", self.cloud, self.folder / "copy.xyzzy").returncode)
         self.refuse(["convert", self.cloud, self.folder / "none" / "copy.las", "-q"], "copy.las", code=1)
+
+    def test_compressed_files_are_to_be_unpacked(self):
+        for magic, name in ((b"\x1f\x8b", "gzip"), (b"PK\x03\x04", "zip"), (b"7z\xbc\xaf\x27\x1c", "7-Zip")):
+            for ending in ("xyz.gz", "xyz", "las"):
+                path = self.folder / f"packed.{ending}"
+                path.write_bytes(magic + bytes(100))
+                self.refuse(["info", path], f"is compressed ({name}); unpack it first", code=1)
+
+    def test_closing_lines_say_what_there_is(self):
+        done = ilot("run", self.cloud, "-o", self.out, "--products", "planes,facades", "--no-report")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        said = (done.stdout + done.stderr).splitlines()
+        self.assertIn("facades  0 facades", said)
+        self.assertIn(f"planes   1 plane: {self.out}/planes.gpkg", said)
+
+    def test_resume_of_nothing_is_said(self):
+        done = ilot("run", self.cloud, "-o", self.out, "--resume", "--no-report")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(f"ilot: {self.out}: holds no interrupted run that --resume could go on with; starts afresh",
+                      done.stderr.splitlines())
 
     def test_convert_salvages(self):
         short = las_file(self.folder / "short.las", [(0, 0, 0, 2), (1000, 0, 0, 2)], declared=5)

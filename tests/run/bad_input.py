@@ -280,6 +280,8 @@ class BadBuildings(RunTest):
             self.assertEqual(found[name]["status"], "lod22", found[name])
         for name in ("flat", "speck", "empty"):
             self.assertEqual(found[name]["status"], "footprint_only", found[name])
+        self.assertNotIn("h_ground", found["empty"], "no point gives the height of its ground")
+        self.assertNotIn("ground_source", found["empty"])
         self.assertIn("outline", found["bow-tie"])
         overlaps = {o["id"]: o["with"] for o in self.record["footprints"]["overlaps"]}
         self.assertEqual(overlaps, {"over": ["under"], "under": ["over"], "house": ["twin"], "twin": ["house"]})

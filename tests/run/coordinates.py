@@ -236,7 +236,10 @@ class CoordinatesTest(RunTest):
         only = ilot("run", cloud, "-o", self.folder / "only", "--products", "roofs", "--crs", "EPSG:28992",
                     "--footprints", self.folder / "h.geojson")
         self.assertEqual(only.returncode, 3)
-        self.assertIn("none of 1 footprints is where the clouds are", only.stderr)
+        self.assertRegex(only.stderr, r"none of 1 footprints is where the clouds are: the footprints are at x 85,510 to "
+                         r"85,522, y 447,008 to 447,016, the clouds at x 85,000 to 85,030, y 447,000 to 447,024 "
+                         r"\(both in EPSG:28992\)")
+        self.assertIn("roofs    0 of 1 building with a model: ", only.stdout + only.stderr)
         far = ilot("run", cloud, "-o", self.folder / "no", "--products", "roofs", "--footprints",
                    self.outlines("g.geojson", 185010, 447008))
         self.assertEqual(far.returncode, 2)

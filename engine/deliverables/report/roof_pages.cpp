@@ -126,6 +126,7 @@ std::string rows_table(const std::vector<BuildingRow>& rows, std::span<const std
 
 std::string doubtful_table(const std::vector<BuildingRow>& rows) {
   const std::vector<std::size_t> order = most_doubtful(rows, kMostDoubtful);
+  if (order.empty()) return {};
   const std::span<const std::size_t> all(order);
   std::string html =
       "<h3>The most doubtful first</h3>\n" + rows_table(rows, all.first(std::min(all.size(), kShownDoubtful)));
@@ -169,8 +170,9 @@ DrawnBuildings choose_drawn(const std::vector<BuildingRow>& rows) {
 
 std::vector<std::size_t> most_doubtful(const std::vector<BuildingRow>& rows, std::size_t most) {
   constexpr std::array<int, kQualities.size()> kDoubt{0, 2, 3, 1, 0};  // good, check, bad, outline only, not judged
-  std::vector<std::size_t> order(rows.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (rows[i].points > 0) order.push_back(i);
   const auto key = [&](std::size_t i) {
     return std::pair(-kDoubt.at(static_cast<std::size_t>(quality_rank(rows[i]))), -share_off(rows[i]));
   };

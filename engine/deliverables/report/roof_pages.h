@@ -19,6 +19,7 @@ struct DrawnBuildings {
 DrawnBuildings choose_drawn(const std::vector<BuildingRow>& rows);
 
 // The order of doubt: bad before check before good, then the larger share of points off the roof.
+// Buildings without points are left out: nothing there was measured that could be doubted.
 std::vector<std::size_t> most_doubtful(const std::vector<BuildingRow>& rows, std::size_t most);
 
 std::string roofs_section(const std::vector<BuildingRow>& rows, const DrawnBuildings& drawn,

@@ -24,11 +24,12 @@ constexpr BuildingField kBuildingFields[] = {
      nullptr},
     {"by_hand", kText, "", "what a person has corrected: classes of points that count for the building, faces merged",
      nullptr},
-    {"h_ground", kReal, "CRS", "height of the floor", "rf_h_ground"},
+    {"h_ground", kReal, "CRS", "height of the floor; none where no point gives it", "rf_h_ground"},
     {"ground_source", kText, "",
      "`measured`: a tenth of the ground points (`classes.ground`) within 4 m around the outline lie below it; "
      "`nearby`: there were none, the same of those within 10 m, else 25 m, else 50 m (10 points at least), or the "
-     "lowest point within the margin of the outline's edges where that is lower; `lowest_point`: that point",
+     "lowest point within the margin of the outline's edges where that is lower; `lowest_point`: that point; none "
+     "where there is no point",
      nullptr},
     {"h_roof_min", kReal, "CRS", "height of the lowest point on roof faces (of all its points where there is no face)",
      "rf_h_roof_min"},

@@ -9,6 +9,30 @@
 #include "engine/report/counted.h"
 
 namespace ilot {
+namespace {
+
+GridBox box_of(std::span<const PlannedSite> sites) {
+  constexpr std::int64_t kFar = std::numeric_limits<std::int64_t>::max();
+  GridBox all{kFar, kFar, -kFar, -kFar};
+  for (const PlannedSite& site : sites) {
+    if (site.outline.polygon.empty()) continue;
+    const GridBox& box = site.outline.box;
+    all = {std::min(all.min_x, box.min_x), std::min(all.min_y, box.min_y), std::max(all.max_x, box.max_x),
+           std::max(all.max_y, box.max_y)};
+  }
+  return all;
+}
+
+// Returns for example "x 84,871 to 85,063, y 447,388 to 447,616", in units of the CRS.
+std::string place_text(const GridBox& box, double metres_per_unit) {
+  const auto text = [&](std::int64_t mm) {
+    const std::int64_t whole = std::llround(static_cast<double>(mm) * kGridMetres / metres_per_unit);
+    return (whole < 0 ? "-" : "") + grouped(static_cast<std::uint64_t>(std::abs(whole)));
+  };
+  return "x " + text(box.min_x) + " to " + text(box.max_x) + ", y " + text(box.min_y) + " to " + text(box.max_y);
+}
+
+}  // namespace
 
 GridBox extent_of_points(const Store& store, const PassContext& context) {
   constexpr std::int64_t kFar = std::numeric_limits<std::int64_t>::max();
@@ -54,7 +78,8 @@ void resolve_skipped_footprints(const SiteNames& names, Progress& progress, RunR
                   " footprints are outside of the cloud's extent: " + first_names(outside));
 }
 
-std::string why_no_building(std::span<const PlannedSite> sites, bool given, bool area) {
+std::string why_no_building(std::span<const PlannedSite> sites, bool given, bool area, const GridBox& extent,
+                            const CrsRecord& crs) {
   if (!given)
     return "there is no building: no cluster of points above the ground is large enough; see classes.building, "
            "roofs.trust_classes and roofs.cluster_points";
@@ -63,7 +88,10 @@ std::string why_no_building(std::span<const PlannedSite> sites, bool given, bool
     return "none of " + grouped(sites.size()) + " footprints gives an outline" +
            (sites.empty() ? "" : ": of " + sites.front().id + ", " + sites.front().reason);
   if (area) return "none of " + grouped(sites.size()) + " footprints is inside of the area (--bounds, --within)";
-  return "none of " + grouped(sites.size()) + " footprints is where the clouds are";
+  const std::string where = crs.name == "none" ? "" : " (both in " + crs.name + ")";
+  return "none of " + grouped(sites.size()) + " footprints is where the clouds are: the footprints are at " +
+         place_text(box_of(sites), crs.metres_per_unit) + ", the clouds at " + place_text(extent, crs.metres_per_unit) +
+         where;
 }
 
 }  // namespace ilot

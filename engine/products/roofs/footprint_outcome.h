@@ -29,7 +29,9 @@ SiteNames names_of(std::span<const PlannedSite> sites, const GridBox& extent);
 void resolve_skipped_footprints(const SiteNames& names, Progress& progress, RunRecord& record);
 
 // Returns half a sentence that explains why there are no roofs to build. `sites` are those of the footprints; `given`:
-// there is a file of footprints; `area`: products are wanted in a part only.
-std::string why_no_building(std::span<const PlannedSite> sites, bool given, bool area);
+// there is a file of footprints; `area`: products are wanted in a part only. `extent` of the points and `crs` say where
+// the clouds are.
+std::string why_no_building(std::span<const PlannedSite> sites, bool given, bool area, const GridBox& extent,
+                            const CrsRecord& crs);
 
 }  // namespace ilot

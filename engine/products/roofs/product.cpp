@@ -40,7 +40,10 @@ Suitability suits(const CloudInfo& info, const CloudMeasure& measure) {
 }
 
 std::string summary(const RunRecord& record) {
-  return record.roofs ? counted(record.roofs->buildings, "building") : "";
+  if (!record.roofs) return "";
+  const std::uint64_t all = record.roofs->buildings, without = record.roofs->footprint_only;
+  return without == 0 ? counted(all, "building")
+                      : grouped(all - without) + " of " + counted(all, "building") + " with a model";
 }
 
 // Sets the classes that a person gave to points, after all others are known.
@@ -103,13 +106,14 @@ void make(ProductRun& run) {
   make_roofs(run.store, sites, run.openings, run.settings, run.inputs, run.context,
              {run.folder / "roofs", run.progress, run.record});
   if (run.settings.roofs.dtm) make_terrain(run);
-  if (given)
-    resolve_skipped_footprints(names_of(sites, extent_of_points(run.store, run.context)), run.progress, run.record);
+  const GridBox extent = extent_of_points(run.store, run.context);
+  if (given) resolve_skipped_footprints(names_of(sites, extent), run.progress, run.record);
   if (!given) note_clusters_without_model(run.progress, *run.record.clusters);
   const std::uint64_t outside = given ? run.record.footprints->outside.size() : 0;
   if (run.record.roofs->buildings == outside)
     skip_product(run, roofs_product(),
-                 why_no_building(given ? sites : std::vector<PlannedSite>{}, given, run.context.wanted != nullptr));
+                 why_no_building(given ? sites : std::vector<PlannedSite>{}, given, run.context.wanted != nullptr,
+                                 extent, run.record.crs));
 }
 
 ProductLabels labels(ProductRun& run) {

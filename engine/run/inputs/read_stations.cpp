@@ -8,7 +8,9 @@
 #include <string_view>
 
 #include "engine/error.h"
+#include "engine/formats/remote_file.h"
 #include "engine/formats/tables/lines.h"
+#include "engine/report/counted.h"
 
 namespace ilot {
 namespace {
@@ -54,8 +56,11 @@ ColumnOrder usual_order(const StationFields& first, const std::string& where) {
   const bool named = !parse_number(first[0], number);
   const std::size_t columns = first.size() - (named ? 1 : 0);
   if (columns != 3 && columns != 5 && columns != 8)
-    refuse_stations(where, "has " + std::to_string(columns) +
-                               " columns; expected are x y z (3), with two angular steps (5), with the axis too (8)");
+    refuse_stations(where, "has " + counted(first.size(), "column") + ", read as " +
+                               (named ? "a name (\"" + std::string(first[0]) + "\") and " : "") +
+                               counted(columns, "number") +
+                               "; expected are x y z (3), with two angular steps (5), with the axis too (8), a name "
+                               "before them if wanted, or a header that names the columns (name,x,y,z)");
   ColumnOrder order;
   if (named) order.push_back(kName);
   for (std::size_t i = 0; i < columns; ++i) order.push_back(i);
@@ -108,6 +113,7 @@ Station station_of(const StationFields& fields, const ColumnOrder& order, const 
 }  // namespace
 
 std::vector<Station> read_stations(const std::filesystem::path& path) {
+  if (!is_remote(path) && !std::filesystem::exists(path)) refuse_stations(path.string(), "there is no such file");
   const InputFile file(path);
   LineReader lines(file, 0);
   std::vector<Station> stations;

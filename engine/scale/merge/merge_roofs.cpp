@@ -172,8 +172,8 @@ MergedRoofs merge_roofs(const fs::path& folder, const Plan& plan, const MergedFo
     resolve_skipped_footprints(merged.names, progress, record);
   }
   if (record.roofs->buildings == (given ? record.footprints->outside.size() : 0)) {
-    const std::string reason =
-        why_no_building(given ? sites_of(folder, areas) : std::vector<PlannedSite>{}, given, false);
+    const std::string reason = why_no_building(given ? sites_of(folder, areas) : std::vector<PlannedSite>{}, given,
+                                               false, plan.roofs.extent, record.crs);
     record.skipped.push_back({"product", roofs_product().name, reason});
     progress.unit_skipped(roofs_product().name, reason);
   }

@@ -145,6 +145,26 @@ TEST(Progress, MorePointsThanAnnounced) {
   EXPECT_TRUE(r.events.back()["eta_s"].is_null());
 }
 
+TEST(Progress, NoRateOfNothingOrOfNoTime) {
+  Recorded r;
+  Progress p(r.options());
+  p.begin_stage("index", 100);
+  p.advance(100);
+  r.time += 0.04;
+  p.end_stage();
+  p.begin_stage("normals", 0);
+  r.time += 5;
+  p.end_stage();
+  p.begin_stage("planes", 100);
+  p.advance(100);
+  r.time += 0.5;
+  p.end_stage();
+  EXPECT_EQ(r.console,
+            "index: 100 points in 0.0 s\n"
+            "normals: 0 points in 5.0 s\n"
+            "planes: 100 points in 0.5 s, 200 points/s\n");
+}
+
 TEST(Progress, APlanGivesOneBarOverAllStages) {
   Recorded r;
   Progress p(r.options());
@@ -156,7 +176,7 @@ TEST(Progress, APlanGivesOneBarOverAllStages) {
   r.time += 12;
   p.tick();
   EXPECT_EQ(r.console,
-            "index: 100 points in 0.0 s, 0 points/s\n"
+            "index: 100 points in 0.0 s\n"
             "[############--------]  60 %  roofs: 6 of 13 buildings, 0:08 left\n");
   r.console.clear();
   p.end_stage();

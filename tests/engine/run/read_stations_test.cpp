@@ -83,8 +83,11 @@ TEST_F(ReadStations, NumbersOfTheirPoints) {
 
 TEST_F(ReadStations, FaultsSayWhere) {
   EXPECT_EQ(fault_of("1 2 3\n1 2\n"), ":2: has 2 fields, not 3");
-  EXPECT_EQ(fault_of("1 2 3 4\n"),
-            ":1: has 4 columns; expected are x y z (3), with two angular steps (5), with the axis too (8)");
+  const std::string expected =
+      "; expected are x y z (3), with two angular steps (5), with the axis too (8), a name before them if wanted, or a "
+      "header that names the columns (name,x,y,z)";
+  EXPECT_EQ(fault_of("1 2 3 4\n"), ":1: has 4 columns, read as 4 numbers" + expected);
+  EXPECT_EQ(fault_of("bgt_type,x,y\n"), ":1: has 3 columns, read as a name (\"bgt_type\") and 2 numbers" + expected);
   EXPECT_EQ(fault_of("1 2 north\n"), ":1: \"north\" is not a number");
   EXPECT_EQ(fault_of("1 2 inf\n"), ":1: \"inf\" is not a number");
   EXPECT_EQ(fault_of("x,y,height\n1,2,3\n"), ":1: \"height\" is no column of a stations file");

@@ -14,6 +14,7 @@ enum class GroundSource : std::uint8_t {
   measured,      // from points of the ground around the outline
   nearby,        // from points of the ground up to 50 m away, or the lowest point near the outline where it is lower
   lowest_point,  // there is no such point: the lowest point near the outline
+  none,          // there is no point at all, and the height of the ground is not known
 };
 
 // One polygon of an outline. Vertices are in whole millimetres from the site's anchor. The first ring is the outer one,

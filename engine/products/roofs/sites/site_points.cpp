@@ -89,8 +89,9 @@ SiteRule SiteMeasure::rule() {
     if (!rule.by_class) rule.lowest = rule.ground + params.clearance;
     return rule;
   }
-  rule.ground_source = GroundSource::lowest_point;
-  rule.ground = lowest_at_edge_ < kInfinity ? lowest_at_edge_ : lowest_ < kInfinity ? lowest_ : 0;
+  const double lowest = lowest_at_edge_ < kInfinity ? lowest_at_edge_ : lowest_;
+  rule.ground_source = lowest < kInfinity ? GroundSource::lowest_point : GroundSource::none;
+  if (lowest < kInfinity) rule.ground = lowest;
   return rule;
 }
 

@@ -32,8 +32,10 @@ double quantile(ValueCounts& values, double share) {
 
 void add_heights(const RoofSite& site, ValueCounts& z, double metres_per_unit, BuildingAttributes& out) {
   const auto height = [&](double v) { return site.anchor.z + v / metres_per_unit; };
-  out.emplace_back("h_ground", height(site.ground));
-  out.emplace_back("ground_source", std::string(name_of(site.ground_source)));
+  if (site.ground_source != GroundSource::none) {
+    out.emplace_back("h_ground", height(site.ground));
+    out.emplace_back("ground_source", std::string(name_of(site.ground_source)));
+  }
   if (z.count() == 0) return;
   out.emplace_back("h_roof_min", height(quantile(z, 0)));
   out.emplace_back("h_roof_50", height(quantile(z, 0.5)));

@@ -81,6 +81,18 @@ TEST(BuildingFields, EveryAttributeOfAModelIsInTheTable) {
     EXPECT_TRUE(known.count(name)) << name;
 }
 
+TEST(BuildingFields, NoPointGivesNoGround) {
+  RoofSite site;
+  site.outline = {{{0, 0}, {10000, 0}, {10000, 8000}, {0, 8000}}};
+  site.ground_source = GroundSource::none;
+  const RoofModel model;
+  PointMeasures measures(site, model, 1);
+  for (const auto& [name, value] : building_attributes(site, model, 1, measures)) {
+    EXPECT_NE(name, "h_ground");
+    EXPECT_NE(name, "ground_source");
+  }
+}
+
 TEST(BuildingFields, ColumnsHaveTheNamesOfTheAttributes) {
   for (const AttributeStyle style : {AttributeStyle::plain, AttributeStyle::roofer}) {
     std::set<std::string> columns{"mine"};

@@ -101,7 +101,7 @@ TEST(SitePoints, WithoutGroundTheLowestPointNearTheEdgesCounts) {
   around = with_role({{5, 5, -3}, {5, 2, 9}}, PointRole::building);
   site = choose_points(around, outline);
   EXPECT_EQ(site.rule.ground, -3) << "none near the edges: the lowest";
-  EXPECT_EQ(choose_points({}, outline).rule.ground, 0);
+  EXPECT_EQ(choose_points({}, outline).rule.ground_source, GroundSource::none);
 }
 
 TEST(SitePoints, WithoutTheClassUnclassifiedPointsThatRiseFromTheGroundAreTaken) {
