@@ -22,7 +22,7 @@ class Scan(CliCase):
         self.refuse([*scan, "--unit", "furlong"], "us-ft")
         self.refuse([*scan, "--unit", "mm"], "--unit", code=1)
         self.refuse([*scan, "--set", "scene.glass_nothing=1"], "above 1")
-        self.refuse([*scan, "--stations", self.folder / "none.csv"], "none.csv", code=1)
+        self.refuse([*scan, "--stations", self.folder / "none.csv"], "none.csv: there is no such file")
         places = self.folder / "far.csv"
         places.write_text("a,9e6,9e6,2\n")
         self.refuse([*scan, "--vehicle", places], "far from the model")

@@ -8,7 +8,7 @@
 namespace ilot {
 namespace {
 
-constexpr Height kTall = 1600;
+constexpr Height kCarTop = 1600;
 constexpr Height kUpTo60 = 0b111111, kUpTo160 = 0xFFFF;  // centimetres; bins of 10
 
 double band(const ObjectCandidate& c, CandidateFeature first, std::size_t number) {
@@ -18,7 +18,7 @@ double band(const ObjectCandidate& c, CandidateFeature first, std::size_t number
 // A body of 40 by 16 pixels, with a cabin over half of its length from `cabin` on.
 DrawnPixel car(std::uint32_t x, std::uint32_t y, std::uint32_t cabin) {
   if (x < 10 || x >= 50 || y < 20 || y >= 36) return {};
-  return x >= cabin && x < cabin + 20 ? DrawnPixel{kTall, kUpTo160} : DrawnPixel{600, kUpTo60};
+  return x >= cabin && x < cabin + 20 ? DrawnPixel{kCarTop, kUpTo160} : DrawnPixel{600, kUpTo60};
 }
 
 TEST(CandidateBands, ACabinIsShorterThanTheBodyBelowIt) {
