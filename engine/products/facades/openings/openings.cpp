@@ -294,11 +294,6 @@ void set_point(const FoundPoint& point, FoundRectangle& opening) {
   crown.form = point.off;
 }
 
-bool holds(const CellBox& box, std::int64_t cell, std::int64_t columns) {
-  const std::int64_t c = cell % columns, r = cell / columns;
-  return c >= box.c0 && c <= box.c1 && r >= box.r0 && r <= box.r1;
-}
-
 }  // namespace
 
 double depth_through(const FacadeSite& site, const OpeningParams& params) {
@@ -359,8 +354,7 @@ std::vector<FoundRectangle> find_openings(const RaySamples& samples, const Openi
   for (const WallHole& hole : holes)
     if (hole.crossed && hole.straight)
       for (const std::uint32_t i : hole.region.cells)
-        if (!hole.shown || holds(*hole.shown, i, seen.columns))
-          silent[i] = seen.what[i] == kUnknown, seen.what[i] = kThrough;
+        if (hole.shows(i, seen.columns)) silent[i] = seen.what[i] == kUnknown, seen.what[i] = kThrough;
   const WallCells cells = filled(seen, params.shadow);
   if (steps != nullptr) steps->filled = cells;
   const WidthOfWall width = [&](const CellBox& box, std::int64_t column) {

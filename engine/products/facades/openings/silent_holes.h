@@ -18,6 +18,12 @@ struct WallHole {
   bool crossed = false;   // rays crossed it, and few of them came back: nothing stood before it
   // The part that rays are known to have crossed, in cells, where this is not all of it.
   std::optional<CellBox> shown;
+
+  // False for a cell outside of that part.
+  bool shows(std::int64_t cell, std::int64_t columns) const {
+    const std::int64_t c = cell % columns, r = cell / columns;
+    return !shown || (c >= shown->c0 && c <= shown->c1 && r >= shown->r0 && r <= shown->r1);
+  }
 };
 
 // A hole that is no known opening: it is drawn as not seen.

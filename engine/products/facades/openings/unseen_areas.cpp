@@ -44,8 +44,9 @@ std::vector<UnseenArea> unseen_areas(const std::vector<WallHole>& holes, const s
       if (!in_opening(found, cells, i)) outside.push_back(i);
     if (outside.size() == hole.region.cells.size())
       areas.push_back(area_of(hole, cells));
-    else if (2 * outside.size() > hole.region.cells.size())
-      for (const std::uint32_t i : outside) left[i] = true;
+    else
+      for (const std::uint32_t i : outside)
+        left[i] = 2 * outside.size() > hole.region.cells.size() || !hole.shows(i, cells.columns);
   }
   for (UnseenArea& area : areas_of_cells(left, cells, least_size)) areas.push_back(std::move(area));
   return areas;

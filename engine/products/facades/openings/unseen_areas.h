@@ -7,8 +7,8 @@
 
 namespace ilot {
 
-// The holes that are no part of an opening, and what openings leave of the others, where a square of `least_size` has
-// room. O(cells).
+// The holes that are no part of an opening, what openings leave of the others where they take less than half of them,
+// and the parts that no ray is known to have crossed, where a square of `least_size` has room. O(cells).
 std::vector<UnseenArea> unseen_areas(const std::vector<WallHole>& holes, const std::vector<FoundRectangle>& found,
                                      const WallCells& cells, double least_size);
 
