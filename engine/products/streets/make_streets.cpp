@@ -73,12 +73,16 @@ Vec3 place_of(const TileRaster& raster, double x, double y, Height z) {
   return {raster.crs_x(x + 0.5), raster.crs_y(y + 0.5), z * raster.unit};  // centres of pixels are at whole numbers
 }
 
-// True for objects that are lower than the crowns, signs and awnings that may be above them. Posts and what is of no
-// known kind may reach up to these.
-bool stands_below(PointLabel label) {
+// Choice: what vehicles may measure with their load, and half a metre more; a tall person under an umbrella.
+constexpr double kHighestVan = 4.5, kHighestOfOthers = 2.5;  // metres
+
+// The height up to which an object of this class is one whatever lies between its points. A higher one has a crown, a
+// sign or an awning above it. Posts and what is of no known kind may reach up to these.
+double usual_height(PointLabel label) {
   switch (label) {
-    case PointLabel::car:
     case PointLabel::van:
+      return kHighestVan;
+    case PointLabel::car:
     case PointLabel::two_wheeler:
     case PointLabel::pedestrian:
     case PointLabel::bollard:
@@ -86,15 +90,16 @@ bool stands_below(PointLabel label) {
     case PointLabel::bench:
     case PointLabel::planter:
     case PointLabel::cabinet:
-      return true;
+      return kHighestOfOthers;
     default:
-      return false;
+      return INFINITY;
   }
 }
 
+// Metres above the ground; what is higher is no part of an object of this class.
 double top_of(const ObjectCandidate& candidate, PointLabel label) {
-  return stands_below(label) ? candidate.own_top
-                             : candidate.features[static_cast<std::size_t>(ComponentFeature::max_height)];
+  const double highest = candidate.features[static_cast<std::size_t>(ComponentFeature::max_height)];
+  return highest > usual_height(label) ? candidate.own_top : INFINITY;
 }
 
 StreetObject object_of(const FoundStreet& street, const StretchIndex& blocks, const ObjectCandidate& candidate,
@@ -106,7 +111,8 @@ StreetObject object_of(const FoundStreet& street, const StretchIndex& blocks, co
   o.probability = what.probability;
   o.base = place_of(raster, candidate.x, candidate.y, candidate.ground);
   o.middle = place_of(raster, candidate.middle_x, candidate.middle_y, candidate.ground);
-  o.height_m = top_of(candidate, what.label);
+  o.height_m = std::min(candidate.features[static_cast<std::size_t>(ComponentFeature::max_height)],
+                        top_of(candidate, what.label));
   o.length_m = candidate.length;
   o.width_m = candidate.width;
   o.heading_deg = candidate.heading_deg;
@@ -324,10 +330,11 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
   for (std::size_t part = 1; part < candidate_of.size(); ++part) {
     const std::uint32_t candidate = candidate_of[part];
     const PointLabel label = classes[candidate - 1].label;
+    const bool left_out = is_street_object(label) && object_of_candidate[candidate] == 0;
     labels.object.push_back(object_of_candidate[candidate]);
-    labels.top.push_back(stands_below(label) ? street.candidates[candidate - 1].own_top : INFINITY);
+    labels.label.push_back(left_out ? PointLabel::none : label);
+    labels.top.push_back(top_of(street.candidates[candidate - 1], labels.label.back()));
     standing.push_back(standing_of(label, street.candidates[candidate - 1]));
-    labels.label.push_back(is_street_object(label) && object_of_candidate[candidate] == 0 ? PointLabel::none : label);
   }
   add_parts(street, plan);
   add_layers(store, street, labels, settings.streets.least_height, context, standing, plan);

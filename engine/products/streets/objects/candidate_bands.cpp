@@ -5,7 +5,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstdlib>
 #include <vector>
 
 #include "engine/products/streets/objects/moment_rectangle.h"

@@ -10,9 +10,10 @@
 
 namespace ilot {
 
+constexpr std::size_t kHeightBands = 7;  // candidate_bands.h
+
 // The features by which object candidates are classified: first the eleven of the paper [Hernandez and Marcotegui 2008,
 // 5.2], then ours.
-constexpr std::size_t kHeightBands = 7;
 enum class CandidateFeature : std::uint8_t {
   low_share = kComponentFeatures,  // share of its points that are lower than low_height
   ground_share,                    // share of the points in its pixels that are on the ground below it

@@ -46,7 +46,7 @@ TEST(CandidateBands, ACabinIsShorterThanTheBodyBelowIt) {
   EXPECT_NEAR(of(c, CandidateFeature::step_share), 16 / pairs, 1e-12);
 }
 
-TEST(CandidateBands, AreTheSameWhereTheCandidateIsTurnedAround) {
+TEST(CandidateBands, DoNotDependOnTheDirection) {
   const ObjectCandidate c = drawn_candidate([](std::uint32_t x, std::uint32_t y) { return car(x, y, 15); });
   const ObjectCandidate across = drawn_candidate([](std::uint32_t x, std::uint32_t y) { return car(y, x, 15); });
   const ObjectCandidate back =
