@@ -330,9 +330,8 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
   for (std::size_t part = 1; part < candidate_of.size(); ++part) {
     const std::uint32_t candidate = candidate_of[part];
     const PointLabel label = classes[candidate - 1].label;
-    const bool left_out = is_street_object(label) && object_of_candidate[candidate] == 0;
     labels.object.push_back(object_of_candidate[candidate]);
-    labels.label.push_back(left_out ? PointLabel::none : label);
+    labels.label.push_back(is_street_object(label) && object_of_candidate[candidate] == 0 ? PointLabel::none : label);
     labels.top.push_back(top_of(street.candidates[candidate - 1], labels.label.back()));
     standing.push_back(standing_of(label, street.candidates[candidate - 1]));
   }
