@@ -92,7 +92,7 @@ std::optional<Crs> understand(const std::string& definition) {
   Object horizontal, vertical;
   if (proj_get_type(whole.get()) == PJ_TYPE_COMPOUND_CRS) {
     horizontal = part_of(context.get(), whole.get(), 0);
-    vertical.reset(proj_crs_get_sub_crs(context.get(), whole.get(), 1));
+    vertical = part_of(context.get(), whole.get(), 1);
   }
   const PJ* plan = horizontal ? horizontal.get() : whole.get();
   if (crs.epsg == 0) crs.epsg = epsg_code(plan);

@@ -44,6 +44,22 @@ TEST(Crs, EpsgCodesGiveUnits) {
   EXPECT_EQ(crs_from_text("epsg:2154").epsg, 2154);
 }
 
+// A grid that is bound to the heights leaves their unit as it is.
+TEST(Crs, HeightsInFeetWithAGrid) {
+  const std::string feet =
+      R"(VERT_CS["NAVD88 height in feet",VERT_DATUM["North American Vertical Datum 1988",2005,)"
+      R"(EXTENSION["PROJ4_GRIDS","g2012a_conus.gtx"],AUTHORITY["EPSG","5103"]],)"
+      R"(UNIT["US survey foot",0.304800609601219,AUTHORITY["EPSG","9003"]],AXIS["Up",UP],AUTHORITY["EPSG","6360"]])";
+  const std::string plan =
+      R"(PROJCS["metres",GEOGCS["NAD83",DATUM["North_American_Datum_1983",SPHEROID["GRS 1980",6378137,298.257222101]],)"
+      R"(PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]],PROJECTION["Transverse_Mercator"],)"
+      R"(PARAMETER["latitude_of_origin",0],PARAMETER["central_meridian",-93],PARAMETER["scale_factor",0.9996],)"
+      R"(PARAMETER["false_easting",500000],PARAMETER["false_northing",0],UNIT["metre",1]])";
+  const Crs crs = crs_from_text("COMPD_CS[\"metres and feet\"," + plan + "," + feet + "]");
+  EXPECT_EQ(crs.metres_per_unit, 1);
+  EXPECT_NEAR(crs.metres_per_unit_z, 0.304800609601219, 1e-12);
+}
+
 TEST(Crs, NothingKnownAssumesMetres) {
   std::vector<std::string> warnings;
   const Crs crs = crs_from_vlrs({}, true, warnings);
