@@ -81,6 +81,9 @@ struct Limits {
 // the points may be on small objects that no roof shows. A roof may rise above its points by roofs.overshoot and noise.
 constexpr Limits kCheck{2, 0.85, 0.1, 0.6}, kBad{12, 0.6, 0.5, 2};
 
+// Choice: the share of points whose residual is stated as p95_m.
+constexpr double kMostPoints = 0.95;
+
 // What is wrong by these limits; empty when nothing is.
 std::string fault(const Limits& limits, const PointMeasures& m, double off, double bare, double overshoot) {
   if (off > limits.off_m2) return fmt::format("{:.1f} m2 of points in one place lie off the model", off);
@@ -135,6 +138,10 @@ double PointMeasures::overshoot() const {
   return measured() ? std::max(raster_.overshoot(), top_ - highest_) : NAN;
 }
 
+double PointMeasures::step() const {
+  return points_ > 0 ? std::sqrt(area_ / static_cast<double>(points_)) : INFINITY;
+}
+
 RoofVerdict PointMeasures::verdict(RoofStatus status) {
   if (status == RoofStatus::footprint_only || !measured()) return {"bad", "there is no solid"};
   const double off = largest_off(), bare = bare_share(), above = overshoot();
@@ -142,6 +149,8 @@ RoofVerdict PointMeasures::verdict(RoofStatus status) {
   bad.off_m2 = std::min(bad.off_m2, std::max(kCheck.off_m2, area_ / 3));  // a third of a small building
   if (std::string reason = fault(bad, *this, off, bare, above); !reason.empty()) return {"bad", reason};
   if (std::string reason = fault(kCheck, *this, off, bare, above); !reason.empty()) return {"check", reason};
+  if (const double p95 = quantile(kMostPoints); p95 > reach_ + step())
+    return {"check", fmt::format("5 % of the points lie farther than {:.2f} m from the model", p95)};
   if (status != RoofStatus::lod22) return {"check", "a level block without faces"};
   return {"good", {}};
 }

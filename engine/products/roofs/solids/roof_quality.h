@@ -43,6 +43,7 @@ class PointMeasures {
   double quantile(double share);                            // of the distances of all points
   double explained() const;                                 // share of the points within reach() of the model
   double reach() const { return reach_; }                   // metres
+  double step() const;                                      // metres between points in plan, if they were spread evenly
   double largest_off() const { return raster_.largest_off(); }
   double bare_share() const { return raster_.bare_share(); }
   double overshoot() const;

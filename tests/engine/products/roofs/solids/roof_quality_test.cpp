@@ -51,6 +51,22 @@ TEST(RoofQuality, APartThatTheModelLacksIsFound) {
   EXPECT_NE(m.verdict(model.status).reason, "");
 }
 
+// Twelve points in a hundred, spread over the whole roof, stand 1.4 m above it: no 2 m2 in one place and less than 15
+// %.
+TEST(RoofQuality, AFewPointsFarOffAreSeen) {
+  const RoofModel model = model_roof(roof_site(12, 8, level_five), {}, 1);
+  RoofSite site = roof_site(12, 8, level_five);
+  for (std::size_t i = 0; i < site.points.size(); ++i)
+    if (i % 25 < 3) site.points[i].z += 1.4;
+  PointMeasures m(site, model, 1);
+  for (const Vec3& p : site.points) m.add(p, p.z > site.points[5].z + 1 ? 0 : model.lod22.surfaces[0].plane_id);
+  EXPECT_NEAR(m.explained(), 0.88, 0.01);
+  EXPECT_LT(m.step(), 0.5);
+  EXPECT_NEAR(m.quantile(0.95), 1.4, 0.05);
+  EXPECT_STREQ(m.verdict(model.status).quality, "check");
+  EXPECT_EQ(m.verdict(model.status).reason.substr(0, 33), "5 % of the points lie farther tha");
+}
+
 TEST(RoofQuality, ARoofWithoutPointsIsSeen) {
   RoofSite site = roof_site(12, 8, level_five);
   const RoofModel model = model_roof(site, {}, 1);
