@@ -4,24 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 
 #include "engine/error.h"
 #include "engine/formats/row_buffer.h"
+#include "engine/pass/sampled_windows.h"
 #include "engine/pass/stop.h"
 #include "engine/store/strays.h"
-#include "kernels/core/quantile.h"
-#include "kernels/core/rng.h"
 
 namespace ilot {
 namespace {
-
-constexpr std::size_t kGrid = 512;  // greatest number of cells per side of the density grid
-constexpr double kPointsPerCell = 16;
-constexpr std::size_t kWindows = 32;  // where the sampling step is measured
-constexpr double kPointsPerWindow = 2000;
-constexpr std::size_t kMostPerWindow = 8192;
 
 using Visit = std::function<void(const std::byte* row)>;
 
@@ -123,72 +115,6 @@ void leave_out(const Strays& strays, PointReader& reader, const FileLattice& lat
   });
 }
 
-// Square cells over the box, about `wanted` of them if the cloud filled it.
-struct Lattice {
-  double x = 0, y = 0, side = 1;
-  std::size_t columns = 1, rows = 1;
-
-  Lattice(const CloudMeasure& m, double wanted, double most_per_side) : x(m.min.x), y(m.min.y) {
-    const double width = m.max.x - m.min.x, height = m.max.y - m.min.y;
-    const double longest = std::max(width, height);
-    if (!(longest > 0) || !std::isfinite(longest)) return;
-    side = std::max(std::sqrt(width * height / wanted), longest / std::min(wanted, most_per_side));
-    columns = static_cast<std::size_t>(width / side) + 1;
-    rows = static_cast<std::size_t>(height / side) + 1;
-  }
-  std::size_t cell(Vec3 p) const {
-    const auto column = std::min(columns - 1, static_cast<std::size_t>((p.x - x) / side));
-    const auto row = std::min(rows - 1, static_cast<std::size_t>((p.y - y) / side));
-    return row * columns + column;
-  }
-};
-
-// The occupied windows with the smallest keys. One reading is enough for a fair choice, because a window that is
-// replaced once is never selected again.
-class Windows {
- public:
-  void add(std::size_t window, Vec3 p) {
-    const std::uint64_t key = mix64(window);
-    const auto found = points_.find(key);
-    if (found == points_.end()) {
-      if (points_.size() == kWindows && key > points_.rbegin()->first) return;
-      points_[key].push_back(p);
-      if (points_.size() > kWindows) points_.erase(std::prev(points_.end()));
-    } else if (found->second.size() < kMostPerWindow) {
-      found->second.push_back(p);
-    }
-  }
-
-  double median_step() {
-    std::vector<double> steps;
-    for (auto& [key, points] : points_) add_steps(points, steps);
-    return steps.empty() ? 0 : std::sqrt(upper_median(steps));
-  }
-
- private:
-  // Computes the squared distance from each point to its nearest other place, by sweeping along x.
-  static void add_steps(std::vector<Vec3>& points, std::vector<double>& steps) {
-    std::sort(points.begin(), points.end(),
-              [](Vec3 a, Vec3 b) { return a.x != b.x ? a.x < b.x : (a.y != b.y ? a.y < b.y : a.z < b.z); });
-    const auto same = [](Vec3 a, Vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
-    points.erase(std::unique(points.begin(), points.end(), same), points.end());
-    if (points.size() < 2) return;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      double best = std::numeric_limits<double>::infinity();
-      const auto look = [&](std::size_t j) {
-        const Vec3 d = points[j] - points[i];
-        best = std::min(best, dot(d, d));
-        return d.x * d.x < best;
-      };
-      for (std::size_t j = i; j > 0 && look(j - 1);) --j;
-      for (std::size_t j = i + 1; j < points.size() && look(j);) ++j;
-      steps.push_back(best);
-    }
-  }
-
-  std::map<std::uint64_t, std::vector<Vec3>> points_;
-};
-
 }  // namespace
 
 CloudMeasure measure_cloud(PointReader& reader, const std::function<void(std::uint64_t)>& advance) {
@@ -199,10 +125,9 @@ CloudMeasure measure_cloud(PointReader& reader, const std::function<void(std::ui
   if (m.points == 0) return m;
   if (!strays.cells().empty()) leave_out(strays, reader, lattice, advance, m);
   const auto total = static_cast<double>(m.points - m.strays);
-  const Lattice cells(m, std::min(std::max(1.0, total / kPointsPerCell), double{kGrid * kGrid}), kGrid);
-  const Lattice windows(m, std::max(1.0, total / kPointsPerWindow), 0x1p20);
+  const MeasureGrid cells = density_cells(m.min, m.max, total), windows = step_windows(m.min, m.max, total);
   std::vector<bool> occupied(cells.columns * cells.rows);
-  Windows chosen;
+  SampledWindows chosen;
   std::uint64_t last_returns = 0;
   const double metres = info.crs.metres_per_unit, metres_z = info.crs.metres_per_unit_z;
   for_each_row(reader, advance, [&](const std::byte* row) {

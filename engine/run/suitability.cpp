@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/formats/crs.h"
+#include "engine/pass/measure_store.h"
 #include "engine/report/progress.h"
 #include "engine/run/products.h"
 
@@ -57,6 +59,19 @@ std::vector<CloudSuitability> suitability(const CloudInfo& info, const CloudMeas
     all.push_back({product->name, suits.yes, suits.reason});
   }
   return all;
+}
+
+std::vector<std::string> unsuited_products(const std::vector<std::string>& products, const RunInputs& inputs,
+                                           const Store& store, const PassContext& context) {
+  CloudInfo info;
+  info.crs = inputs.crs;
+  for (const auto& reader : inputs.readers)
+    for (const Station& station : reader->info().stations) info.stations.push_back(station);
+  std::vector<std::string> warnings;
+  for (const CloudSuitability& s : suitability(info, measure_store(store, context)))
+    if (!s.yes && std::find(products.begin(), products.end(), s.product) != products.end())
+      warnings.push_back(s.product + ": the cloud does not suit it: " + s.reason);
+  return warnings;
 }
 
 std::vector<std::string> cloud_warnings(const CloudInfo& info, const CloudMeasure& m) {
