@@ -9,6 +9,7 @@
 
 #include "engine/model/object_colours.h"
 #include "engine/model/point_label.h"
+#include "engine/model/street_areas.h"
 #include "engine/model/street_geometry.h"
 #include "engine/whole_file.h"
 
@@ -196,8 +197,8 @@ std::vector<LegendRow> legend_of(const StreetPlan& plan) {
   return rows;
 }
 
-// The legend with its left end at x: an arrow to the north, the kinds, and what the numbers are.
-std::string legend_svg(const std::vector<LegendRow>& rows, double x, double text) {
+// The legend with its left end at x: an arrow to the north, the kinds, what the numbers are, and the notes.
+std::string legend_svg(const std::vector<LegendRow>& rows, std::span<const std::string> notes, double x, double text) {
   std::string svg = fmt::format(
       "<g transform=\"translate({:.2f} {:.2f}) scale({:.3f})\"><path d=\"M0 1.2V-1M-0.4 -0.3L0 -1L0.4 -0.3\" "
       "fill=\"none\" "
@@ -209,8 +210,14 @@ std::string legend_svg(const std::vector<LegendRow>& rows, double x, double text
     svg += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", x + 2.5 * text, y + 0.35 * text, row.name);
     y += kRowsOfText * text;
   }
-  return svg + fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.2f}\">Numbers are object_id.</text>\n", x,
-                           y + 0.35 * text, 0.8 * text);
+  const auto small = [&](const std::string& line) {
+    svg += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.2f}\">{}</text>\n", x, y + 0.35 * text,
+                       0.8 * text, line);
+    y += kRowsOfText * text;
+  };
+  small("Numbers are object_id.");
+  for (const std::string& note : notes) small(note);
+  return svg;
 }
 
 }  // namespace
@@ -221,10 +228,10 @@ std::string street_map_svg(const StreetPlan& plan, double metres_per_unit) {
          scale_bar(sheet.height() - 2, "") + "</svg>\n";
 }
 
-std::string street_sheet_svg(const StreetPlan& plan, double metres_per_unit) {
+std::string street_sheet_svg(const StreetPlan& plan, double metres_per_unit, std::span<const std::string> notes) {
   const Sheet sheet(plan, metres_per_unit);
   const std::vector<LegendRow> rows = legend_of(plan);
-  const double least = kRowsOfText * (static_cast<double>(rows.size()) + kRowsBesideLegend);
+  const double least = kRowsOfText * (static_cast<double>(rows.size() + notes.size()) + kRowsBesideLegend);
   const double text = std::clamp(sheet.height() / least, kLeastText, kMostText);
   const double strip = kLegendWidth * text, height = std::max(sheet.height(), text * least);
   std::string svg = opened_svg(sheet.width() + strip, height) + content_of(sheet, plan, metres_per_unit);
@@ -236,7 +243,7 @@ std::string street_sheet_svg(const StreetPlan& plan, double metres_per_unit) {
     svg += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", sheet.x(o.middle),
                        sheet.y(o.middle) + 0.35 * kNumberText, o.id);
   svg += fmt::format("</g>\n<g font-family=\"sans-serif\" font-size=\"{:.2f}\" fill=\"#222\">\n", text);
-  svg += legend_svg(rows, sheet.width() + text, text);
+  svg += legend_svg(rows, notes, sheet.width() + text, text);
   svg += scale_bar(height - 2, fmt::format("{:.0f} m", kScaleBar));
   return svg + "</g>\n</svg>\n";
 }
@@ -252,16 +259,29 @@ std::string street_legend_html(const StreetPlan& plan) {
   };
   html += row(kTree, "tree", plan.trees.size()) + row(kKerb, "kerb", plan.kerbs.size()) +
           row(kPavement, "pavement", plan.pavements.size()) + row(kRoad, "carriageway", plan.carriageways.size());
+  const std::string lines = plan.blocks.empty() ? ""
+                                                : fmt::format("{} blocks (grey) and {} gaps between them (dashed). ",
+                                                              plan.blocks.size(), plan.gaps.size());
   return html +
          fmt::format(
-             "</tbody></table>\n<p class=\"note\">{} blocks (grey) and {} gaps between them (dashed). Circles are "
+             "</tbody></table>\n<p class=\"note\">{}Circles are "
              "crowns; the dot is the trunk, hollow where no trunk was seen. Dashed kerbs were not seen. The bar is "
              "{:.0f} m long. North is up.</p>\n",
-             plan.blocks.size(), plan.gaps.size(), kScaleBar);
+             lines, kScaleBar);
 }
 
-void write_street_map(const std::filesystem::path& folder, const StreetPlan& plan, double metres_per_unit) {
-  write_whole_file(folder / "streets.svg", street_sheet_svg(plan, metres_per_unit));
+void write_street_map(const std::filesystem::path& folder, const StreetPlan& plan, double metres_per_unit,
+                      std::span<const std::string> notes) {
+  const std::vector<StreetPlan> areas = street_areas(plan, metres_per_unit);
+  if (areas.size() == 1) {
+    write_whole_file(folder / "streets.svg", street_sheet_svg(plan, metres_per_unit, notes));
+    return;
+  }
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    std::vector<std::string> lines{fmt::format("Sheet {} of {}: the areas are far apart.", i + 1, areas.size())};
+    lines.insert(lines.end(), notes.begin(), notes.end());
+    write_whole_file(folder / fmt::format("streets_{}.svg", i + 1), street_sheet_svg(areas[i], metres_per_unit, lines));
+  }
 }
 
 }  // namespace ilot

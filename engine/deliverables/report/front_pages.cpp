@@ -82,6 +82,7 @@ const char* use_of(const std::string& path) {
       {".tif", "raster"},
       {".obj", "for 3D programs"},
       {".stl", "for 3D programs"}};
+  if (path.starts_with("streets/streets_")) return "a sheet of the map of the streets";
   for (const auto& [end, use] : uses)
     if (path.ends_with(end)) return use;
   return path.starts_with("points/") ? "the points of an input with labels" : "";

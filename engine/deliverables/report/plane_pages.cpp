@@ -11,6 +11,7 @@
 #include "engine/deliverables/report/charts.h"
 #include "engine/deliverables/report/html.h"
 #include "engine/deliverables/tables/planes_csv.h"
+#include "engine/model/street_areas.h"
 #include "engine/report/progress.h"
 
 namespace ilot {
@@ -106,7 +107,8 @@ std::string planes_section(const PlanesOfReport& planes, const SampledPoints& sa
 std::string streets_section(const StreetPlan& plan, double metres_per_unit) {
   std::string content = street_legend_html(plan);
   if (plan.objects.size() <= kMostOnMap)
-    content += "<figure class=\"map paper\">" + street_map_svg(plan, metres_per_unit) + "</figure>\n";
+    for (const StreetPlan& area : street_areas(plan, metres_per_unit))
+      content += "<figure class=\"map paper\">" + street_map_svg(area, metres_per_unit) + "</figure>\n";
   else
     content += html_note("The map has too many objects for this page: see the plan above, or streets.svg.");
   std::vector<StreetObject> doubtful = plan.objects;

@@ -19,6 +19,7 @@
 #include "engine/products/streets/ground/tiled_artefacts.h"
 #include "engine/products/streets/ground/tiled_ground.h"
 #include "engine/products/streets/objects/object_selection.h"
+#include "engine/products/streets/objects/vehicle_sizes.h"
 #include "engine/products/streets/pavements/carriageways.h"
 #include "engine/products/streets/pavements/pavement_areas.h"
 #include "engine/products/streets/street_kerbs.h"
@@ -44,6 +45,9 @@ constexpr double kLongestObject = 20;  // metres
 // Derived: a square of two pixels, the smallest that is no line. From the street a pole is one pixel, with a point in
 // many of its bins.
 constexpr double kPixelsFromAir = 4;  // least number of pixels of a candidate
+
+constexpr const char* kLeftOutFromAir =
+    "streets: houses, gaps between them, kerbs and pavements are left out, as from the air they are hardly seen";
 
 GroundParams ground_params(const StreetsSettings& s, const RasterScale& scale) {
   return {s.flat, std::max(s.longest_gap, kStepsOfGap * scale.pixel), s.advanced.gap_step, s.longest_link};
@@ -163,6 +167,14 @@ void record_choices(const StreetsSettings& settings, const FoundStreet& street, 
                      air ? "what is upright was hardly seen" : "it was scanned from the ground")});
 }
 
+// The lines on the map about what is not looked for. The run says it too.
+std::vector<std::string> left_out(StreetView view, const ProductOutput& out) {
+  if (view == StreetView::street) return {};
+  out.record.warnings.push_back(kLeftOutFromAir);
+  out.progress.warn(kLeftOutFromAir);
+  return {"Seen from the air: houses, gaps between", "houses, kerbs and pavements are left out."};
+}
+
 // What a candidate carries: a crown if it is a trunk, an overhang if it is a pillar. It reaches up to where that was
 // taken out.
 Structure carried(const FoundStreet& street, const ObjectCandidate& candidate) {
@@ -258,7 +270,9 @@ FoundStreet find_street(const Store& store, const StreetsSettings& settings, con
   const ObjectCandidateParams params = candidate_params(settings, scale, street.view, tiles.mean_accumulation());
   tiles.count_above(settings.least_height, params.low_height);
   street.candidates = find_object_candidates(tiles.layers(), scale, params);
-  street.stretches = find_city_blocks(tiles.layers(), scale, blocks_params(settings.advanced));
+  // From the air roofs hide facades, and a line through the pixels of roofs is no front of a house (docs/streets.md).
+  if (street.view == StreetView::street)
+    street.stretches = find_city_blocks(tiles.layers(), scale, blocks_params(settings.advanced));
   return street;
 }
 
@@ -270,6 +284,10 @@ SelectedObjects selected_objects(const StreetClasses& model, std::span<const Edi
                                  double unit, EditTally tally, FoundStreet& street) {
   SelectedObjects selected;
   selected.classes = classes_without_trunks(street, model.of(street.candidates));
+  deny_too_large_vehicles(
+      street.candidates,
+      {street.tiles->raster().scale.pixel, model.base->classes.size(), street.view == StreetView::street},
+      selected.classes);
   selected.taken = select_objects(street.candidates, selected.classes);
   selected.by_hand.assign(street.candidates.size(), 0);
   std::vector<const Edit*> edits = edits_of(all, "streets");
@@ -343,7 +361,7 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
   write_pavements_gpkg(out.folder / "pavements.gpkg", plan, context.metres_per_unit, crs);
   write_trees_gpkg(out.folder / "trees.gpkg", plan, crs);
   write_street_rasters(*street.tiles, out.folder, crs);
-  write_street_map(out.folder, plan, context.metres_per_unit);
+  write_street_map(out.folder, plan, context.metres_per_unit, left_out(street.view, out));
   out.record.streets =
       StreetCounts{plan.objects.size(), plan.blocks.size(), plan.gaps.size(),      plan.trees.size(),
                    plan.kerbs.size(),   plan.widths.size(), plan.pavements.size(), plan.carriageways.size()};

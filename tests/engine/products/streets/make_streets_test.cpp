@@ -78,6 +78,43 @@ TEST(StreetsProduct, WhereItWasScannedFrom) {
   EXPECT_NE(chosen.find(R"("key":"streets.view","value":"air")"), std::string::npos) << chosen;
 }
 
+// Two rows of roofs, one point for each square of 20 cm, and ground between them: from the air no front of a house is
+// seen, and a line through pixels of roofs is none.
+TEST(StreetsProduct, FromTheAirNoHousesAreDrawn) {
+  std::vector<Index3> points;
+  Rng rng(8);
+  for (int i = 0; i < 60 * 40 * 25; ++i) {
+    const auto x = static_cast<std::int64_t>(rng.below(60000)), y = static_cast<std::int64_t>(rng.below(40000));
+    const bool roof = (y > 4000 && y < 14000) || (y > 26000 && y < 36000);
+    points.push_back({700000000 + x, 660000000 + y, roof ? 37000 : 30000});
+  }
+  const TemporaryFolder folder;
+  const StreetsOutcome air = run_cloud(folder, points, "air");
+  EXPECT_NE(air.record["chosen"].dump().find(R"("value":"air")"), std::string::npos);
+  EXPECT_EQ(air.record["counts"]["streets"]["blocks"], 0);
+  EXPECT_EQ(air.record["counts"]["streets"]["gaps"], 0);
+  EXPECT_NE(air.record["warnings"].dump().find("houses, gaps between them"), std::string::npos);
+  EXPECT_NE(test::file_bytes(air.out / "streets" / "streets.svg").find("Seen from the air: houses"), std::string::npos);
+  const StreetsOutcome street =
+      run_cloud(folder, points, "street", [](RunOptions& o) { o.settings.streets.view = StreetView::street; });
+  EXPECT_EQ(street.record["warnings"].dump().find("houses, gaps between them"), std::string::npos);
+}
+
+// What `ilot info` calls unsuitable is made with a warning.
+TEST(StreetsProduct, ACloudThatDoesNotSuitIsWarnedOf) {
+  Rng rng(9);
+  for (const std::int64_t points : {600, 20000}) {  // a step of about 0.94 and 0.16 m
+    std::vector<Index3> ground;
+    for (std::int64_t i = 0; i < points; ++i)
+      ground.push_back({700000000 + static_cast<std::int64_t>(rng.below(60000)),
+                        660000000 + static_cast<std::int64_t>(rng.below(40000)), 30000});
+    const TemporaryFolder folder;
+    const std::string warnings = run_cloud(folder, ground, "out").record["warnings"].dump();
+    const bool warned = warnings.find("streets: the cloud does not suit it: 0.9") != std::string::npos;
+    EXPECT_EQ(warned, points == 600) << warnings;
+  }
+}
+
 TEST(StreetsProduct, OneSideOnly) {
   const test::CloudStore store(street_points(2, 2, false));
   const FoundStreet street = find_street(store.store(), {}, {});

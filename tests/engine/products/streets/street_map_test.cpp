@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/deliverables/layers/street_map.h"
+#include "engine/model/street_areas.h"
 #include "ilot/streets.h"
 #include "tests/engine/products/streets/street_runs.h"
 
@@ -126,6 +127,33 @@ TEST(StreetMap, TheSheetHasALegend) {
   for (const char* text : {"tree", "kerb", "pavement", "houses"})
     EXPECT_EQ(sheet.find(text), std::string::npos) << text;
   EXPECT_NE(street_sheet_svg({}, 1).find(">North<"), std::string::npos) << "an empty plan";
+}
+
+// Two areas far apart are two sheets, which say so. Things a kilometre apart are on one.
+TEST(StreetMap, AreasFarApartAreSheetsOfTheirOwn) {
+  StreetPlan plan;
+  StreetObject car;
+  car.id = 1, car.label = PointLabel::car, car.class_name = "car", car.middle = {5, 5, 0}, car.length_m = 4;
+  plan.objects = {car, car, car};
+  plan.objects[1].id = 2, plan.objects[1].middle = {388000, 5, 0};
+  plan.objects[2].id = 3, plan.objects[2].middle = {5, 1000, 0};
+  StreetTree tree;
+  tree.id = 1, tree.position = {388004, 9, 0}, tree.crown_radius_m = 2;
+  plan.trees = {tree};
+  const TemporaryFolder folder;
+  write_street_map(folder.path(), plan, 1);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "streets.svg"));
+  const std::string first = test::file_bytes(folder.path() / "streets_1.svg"),
+                    second = test::file_bytes(folder.path() / "streets_2.svg");
+  for (const char* text : {">car (2)<", ">1<", ">3<", ">Sheet 1 of 2: the areas are far apart.<"})
+    EXPECT_NE(first.find(text), std::string::npos) << text;
+  for (const char* text : {">car (1)<", ">2<", ">tree, its crown (1)<", ">Sheet 2 of 2: the areas are far apart.<"})
+    EXPECT_NE(second.find(text), std::string::npos) << text;
+  plan.objects.erase(plan.objects.begin() + 1);
+  plan.trees.clear();
+  write_street_map(folder.path(), plan, 1);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "streets.svg"));
+  EXPECT_EQ(street_areas({}, 1).size(), 1u) << "an empty plan";
 }
 
 // What is inside of an area is as without it, though the points around it lose their labels.
