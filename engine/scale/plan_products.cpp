@@ -7,6 +7,7 @@
 #include "engine/error.h"
 #include "engine/products/planes/product.h"
 #include "engine/products/roofs/product.h"
+#include "engine/products/streets/product.h"
 #include "engine/report/counted.h"
 #include "engine/run/products.h"
 
@@ -84,6 +85,10 @@ Settings settings_of_cells(const Plan& plan) {
   return settings_of_planes(plan.settings, asks_for(plan.products, planes_product()));
 }
 
+bool carries_class_codes(const Plan& plan) {
+  return asks_for(plan.products, streets_product());
+}
+
 bool reads_colours(const Plan& plan) {
   return asks_for_colours(plan) && std::ranges::any_of(plan.inputs, &PlanInput::colours);
 }
@@ -108,6 +113,7 @@ std::uint64_t part_bytes_of_point(const Plan& plan, const PlanArea& area) {
   // Choice: the role, and a label of 20 bytes for one point in four.
   constexpr std::uint64_t kOfRoofs = 6;
   return kOfPoint + (searches_planes(plan) ? kOfPlanes : 0) + (carries_roof_labels(plan) ? kOfRoofs : 0) +
+         (carries_class_codes(plan) ? sizeof(std::uint8_t) : 0) +
          (carries_colours(plan, area) ? sizeof(StoredColour) : 0) +
          (carries_stations(plan, area) ? sizeof(StationNumber) : 0);
 }

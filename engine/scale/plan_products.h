@@ -26,6 +26,9 @@ bool carries_roof_labels(const Plan& plan);
 bool searches_planes(const Plan& plan);
 Settings settings_of_cells(const Plan& plan);
 
+// Whether parts have the class codes of points: streets read them in the merge. Roofs read them in the tasks alone.
+bool carries_class_codes(const Plan& plan);
+
 // Whether a product reads the colours of points and an input has them.
 bool reads_colours(const Plan& plan);
 

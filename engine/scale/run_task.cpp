@@ -45,7 +45,7 @@ Store index_of_area(const RunOptions& options, const RunInputs& inputs, const Pl
   p.finest_step = options.settings.index.finest_step;
   p.keep_strays = options.settings.index.keep_strays;
   p.strays = Strays(plan.stray_bits, plan.strays);
-  if (makes_roofs(plan)) p.classes = ClassColumns::written;
+  if (makes_roofs(plan) || carries_class_codes(plan)) p.classes = ClassColumns::written;
   p.block_points = p.run_points = affordable_block_points(options, thread_count());
   IndexResult index = build_index(inputs.readers, p, folder, context);
   if (!(index.lattice == plan.lattice))

@@ -192,6 +192,8 @@ Parameters streets_parameters() {
            "smaller objects on the ground are dropped"),
       make("streets.rise", ILOT_FIELD(streets.rise), {0, 10}, "m",
            "what rises so far above the pass to a higher object is an object of its own"),
+      make("streets.trust_classes", ILOT_FIELD(streets.trust_classes), {}, "",
+           "objects with points of classes.vegetation are vegetation, unless sure cars have them too"),
   };
 }
 
@@ -324,6 +326,7 @@ Parameters classes_parameters() {
       make("classes.ground", ILOT_FIELD(classes.ground), {0, 255}, "", "class codes of the ground"),
       make("classes.building", ILOT_FIELD(classes.building), {0, 255}, "", "class codes of buildings"),
       make("classes.noise", ILOT_FIELD(classes.noise), {0, 255}, "", "class codes of points that no product uses"),
+      make("classes.vegetation", ILOT_FIELD(classes.vegetation), {0, 255}, "", "class codes of vegetation"),
       make("classes.write", ILOT_FIELD(classes.write), {}, "",
            "true: points of the classes 0 and 1 get class 2 on the ground and 6 on buildings in the labelled clouds"),
   };

@@ -29,10 +29,11 @@ inline constexpr Column<std::uint64_t> kCodes{
     {"codes", "u64", Pass::index, "all", "Morton code in the tile, ascending: the position"}};
 inline constexpr Column<std::uint64_t> kOrder{
     {"order", "u64", Pass::index, "colours, stations, rows", "input file and row (InputOrder)"}};
-inline constexpr Column<std::uint8_t> kClass{
-    {"class", "u8", Pass::index, "classes", "class code of the input; only where roofs are asked for"}};
+inline constexpr Column<std::uint8_t> kClass{{"class", "u8", Pass::index, "classes, streets",
+                                              "class code of the input; only where roofs or streets are asked for"}};
 inline constexpr Column<std::uint8_t> kEchoes{
-    {"echoes", "u8", Pass::index, "classes", "kMultipleReturns, kNotLastReturn; only where roofs are asked for"}};
+    {"echoes", "u8", Pass::index, "classes",
+     "kMultipleReturns, kNotLastReturn; only where roofs or streets are asked for"}};
 inline constexpr Column<ChunkBox> kChunks{
     {"chunks", "ChunkBox", Pass::index, "all", "box of each 1,024 points, one after the other"}};
 

@@ -115,6 +115,7 @@ struct StreetsSettings {
   double least_height = 0.1;    // metres; lower things are part of the ground
   double least_area = 0.0125;   // m2; smaller things are dropped
   double rise = 0.05;           // metres; what stands so much above the pass to a higher thing is a thing of its own
+  bool trust_classes = true;    // objects whose points have class codes of vegetation are vegetation
   AdvancedStreets advanced;
 };
 
@@ -146,6 +147,7 @@ struct ClassesSettings {
   std::vector<int> ground{2};
   std::vector<int> building{6};
   std::vector<int> noise{7, 18};
+  std::vector<int> vegetation{3, 4, 5};
   bool write = false;  // true: points of classes 0 and 1 get the class of the ground or of buildings in labelled clouds
 };
 

@@ -9,19 +9,21 @@ from plan_support import PlanTest
 from support import Las, ilot, main
 
 
-class FacadesTest(PlanTest):
+class SeedTest(PlanTest):
+    def scan_of_seed(self, scene, seed):
+        path = self.folder / f"{scene}-{seed}.las"
+        done = ilot("scan", scene, "-o", path, "--points", 60_000, "--seed", seed, "-q")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return path
+
+
+class FacadesTest(SeedTest):
     products = "facades"
 
     def row(self):
         """A row of houses that two stations saw, and what is known of these."""
         path = self.scan_of_seed("row-wild", 4249)
         return path, ("--stations", path.with_suffix(".stations.csv"))
-
-    def scan_of_seed(self, scene, seed):
-        path = self.folder / f"{scene}-{seed}.las"
-        done = ilot("scan", scene, "-o", path, "--points", 60_000, "--seed", seed, "-q")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return path
 
 
 class PlanOfFacades(FacadesTest):
@@ -153,7 +155,7 @@ class PlanOfFacades(FacadesTest):
         self.assertEqual(self.merged(plan)["result_hash"], self.one_run(inputs, "--stations", moved)["result_hash"])
 
 
-class PlanOfStreets(PlanTest):
+class PlanOfStreets(SeedTest):
     products = "streets"
 
     def test_areas_of_a_street(self):
@@ -163,6 +165,12 @@ class PlanOfStreets(PlanTest):
         self.assertEqual(self.equal(one, inputs, 100_000), 1)
         self.assertGreaterEqual(self.equal(one, inputs, 1000, merge=("--memory", "96M", "--threads", "1")), 4)
         self.assertGreaterEqual(self.equal(one, inputs, 300), 8)
+
+    def test_class_codes_of_vegetation(self):
+        inputs = self.scan_of_seed("street-wild", 44)
+        one = self.one_run(inputs)
+        self.assertIn("became vegetation", json.dumps(one["chosen"]))
+        self.assertGreaterEqual(self.equal(one, inputs, 60), 2)
 
     def test_a_street_from_the_air(self):
         inputs = self.scan("street-air", 70_000)

@@ -22,6 +22,7 @@
 #include "engine/products/streets/objects/vehicle_sizes.h"
 #include "engine/products/streets/pavements/carriageways.h"
 #include "engine/products/streets/pavements/pavement_areas.h"
+#include "engine/products/streets/street_codes.h"
 #include "engine/products/streets/street_kerbs.h"
 #include "engine/products/streets/street_labels.h"
 #include "engine/products/streets/street_pavements.h"
@@ -316,11 +317,11 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
   record_choices(settings.streets, street, out.record);
   const StreetClasses model = street_classes(street, train, crs, out.progress, out.record);
   if (model.trained) write_whole_file(out.folder / "objects.model", object_model_text(*model.trained));
-  const SelectedObjects selected =
-      selected_objects(model, edits, context, store.unit(), {out.progress, out.record}, street);
+  SelectedObjects selected = selected_objects(model, edits, context, store.unit(), {out.progress, out.record}, street);
   const std::vector<CandidateClass>& classes = selected.classes;
   const std::vector<std::uint8_t>& taken = selected.taken;
   const std::vector<std::uint32_t> candidate_of = candidate_of_part(street.candidates, taken);
+  if (!model.trained) name_by_codes(store, *street.tiles, settings, candidate_of, selected, out.record);
   StreetPlan plan;
   std::vector<std::uint32_t> object_of_candidate(street.candidates.size() + 1, 0);
   const StretchIndex blocks(street.stretches, street.tiles->raster().scale, settings.streets.advanced.block_distance);

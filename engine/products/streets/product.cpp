@@ -36,6 +36,7 @@ ProductLabels labels(ProductRun&) {
 
 const Product& streets_product() {
   static const Product product{.name = "streets",
+                               .reads_classes = true,
                                .cost = {30, 8, 1.0},
                                .suitability = suits,
                                .make = make,

@@ -47,7 +47,8 @@ std::uint64_t write_cells(const Store& store, const RunInputs& inputs, const Pla
   for (const Cell& cell : cells) {
     stop_if_asked();
     CellRecord record = read_cell(store, cell);
-    if (!planes) record.normals.clear();  // found for roles alone
+    if (!planes) record.normals.clear();                     // found for roles alone
+    if (!carries_class_codes(plan)) record.classes.clear();  // read for roles alone
     part.add(record_of(record));
   }
   return cells.size();

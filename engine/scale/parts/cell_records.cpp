@@ -36,6 +36,7 @@ CellRecord read_cell(const Store& store, const Cell& cell) {
   return {cell.node,
           read_column_of(store, cell, columns::kCodes),
           read_column_of(store, cell, columns::kOrder),
+          read_column_of(store, cell, columns::kClass),
           read_column_of(store, cell, columns::kNormals),
           read_column_of(store, cell, columns::kColour),
           read_column_of(store, cell, columns::kStation),
@@ -49,6 +50,7 @@ json record_of(const CellRecord& cell) {
   return {{"cell", {tile.x, tile.y, tile.z, cell.node.level, cell.node.first_code}},
           {"codes", bytes_json(cell.codes)},
           {"order", bytes_json(cell.order)},
+          {"classes", bytes_json(cell.classes)},
           {"normals", bytes_json(cell.normals)},
           {"colours", bytes_json(cell.colours)},
           {"stations", bytes_json(cell.stations)},
@@ -64,6 +66,7 @@ CellRecord cell_record(const json& record) {
                 place.at(4).get<std::uint64_t>()},
                values_of<std::uint64_t>(record, "codes"),
                values_of<InputOrder>(record, "order"),
+               values_of<std::uint8_t>(record, "classes"),
                values_of<PackedNormal>(record, "normals"),
                values_of<StoredColour>(record, "colours"),
                values_of<StationNumber>(record, "stations"),
@@ -72,8 +75,8 @@ CellRecord cell_record(const json& record) {
                values_of<std::byte>(record, "shapes")};
   const std::size_t points = r.codes.size();
   const auto fits = [points](const auto& values) { return values.empty() || values.size() == points; };
-  const bool whole = points > 0 && r.order.size() == points && fits(r.normals) && fits(r.colours) && fits(r.stations) &&
-                     fits(r.roles) && r.normals.empty() == r.planes.empty();
+  const bool whole = points > 0 && r.order.size() == points && fits(r.classes) && fits(r.normals) && fits(r.colours) &&
+                     fits(r.stations) && fits(r.roles) && r.normals.empty() == r.planes.empty();
   const bool inside = whole && r.node.level >= 0 && r.node.level <= kTileBits && std::ranges::is_sorted(r.codes) &&
                       r.codes.front() >= r.node.first_code && r.codes.back() <= r.node.last_code();
   if (!inside) throw Error("the fields of a cell do not belong together");

@@ -19,7 +19,8 @@ namespace ilot {
 struct CellRecord {
   Node node;
   std::vector<std::uint64_t> codes;
-  std::vector<InputOrder> order;  // with places in the list of inputs of the area
+  std::vector<InputOrder> order;      // with places in the list of inputs of the area
+  std::vector<std::uint8_t> classes;  // class codes of the inputs
   std::vector<PackedNormal> normals;
   std::vector<StoredColour> colours;    // empty where no input of the area has colours
   std::vector<StationNumber> stations;  // empty where no input of the area has them in its rows

@@ -47,7 +47,8 @@ void unpack_cell(const CellRecord& r, std::span<const std::uint32_t> inputs, con
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::uint32_t place = file_of(r.order[i]);
     if (place >= inputs.size()) throw Error("a cell of a part names an input that its area does not have");
-    points[i] = {r.codes[i], run_value(input_order(inputs[place], row_of(r.order[i])), 0, 0)};
+    const std::uint8_t code = r.classes.empty() ? std::uint8_t{0} : r.classes[i];
+    points[i] = {r.codes[i], run_value(input_order(inputs[place], row_of(r.order[i])), code, 0)};
   }
   run.add(r.node.tile, points);
   const Cell cell{r.node, 0, {}};
@@ -168,6 +169,7 @@ Store store_of_parts(const fs::path& parts, std::span<const std::uint64_t> areas
   });
   IndexParams params;
   params.block_points = block_points;
+  if (carries_class_codes(plan)) params.classes = ClassColumns::written;
   Store store(folder, plan.lattice.unit, build_blocks(runs, params, {}, folder, context));
   fs::remove_all(folder / "runs");
   if (searches_planes(plan) || makes_roofs(plan)) spread_all(store, plan, any_stations, context);
