@@ -28,6 +28,10 @@ TEST(MeasureStore, TheStepIsThatOfThePoints) {
   EXPECT_NEAR(m.density, 4, 0.3);
   EXPECT_EQ(m.last_returns, m.points);
   EXPECT_NEAR(m.max.x - m.min.x, 100, 0.1);
+  const test::CloudStore small(scattered(40000, 100000), {.block_points = 3000});
+  EXPECT_GT(small.store().blocks().size(), 5u);
+  EXPECT_EQ(measure_store(small.store(), {}).sampling_step, m.sampling_step);
+  EXPECT_EQ(measure_store(small.store(), {}).density, m.density);
   PassContext feet;
   feet.metres_per_unit = 0.3048;
   EXPECT_NEAR(measure_store(cloud.store(), feet).sampling_step, 0.3048 * m.sampling_step, 1e-9);
