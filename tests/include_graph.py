@@ -30,7 +30,7 @@ SEE_API = {"engine/api", "tools", "tests", "study"}
 # Headers of the standard library that the public headers may include: all that have neither a folder nor an extension.
 STANDARD = re.compile(r"^[a-z_]+$")
 C_STANDARD = {"ilot/ilot.h": {"stddef.h", "stdint.h"}}  # the header for C sees that of C
-EVERYWHERE = {"engine/error.h", "engine/flat_area.h", "engine/geos_context.h", "engine/json_fault.h", "engine/markup.h", "engine/system_reason.h", "engine/version.h", "engine/whole_file.h",
+EVERYWHERE = {"engine/compressed.h", "engine/error.h", "engine/flat_area.h", "engine/geos_context.h", "engine/json_fault.h", "engine/markup.h", "engine/system_reason.h", "engine/version.h", "engine/whole_file.h",
               "engine/whole_file_writer.h", "engine/pass/stop.h"}
 PRODUCTS = {"products/roofs", "products/facades", "products/streets"}
 PURE = re.compile(r"^engine/products/\w+/\w+/")  # steps of a product: plain data in and out

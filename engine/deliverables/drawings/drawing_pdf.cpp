@@ -4,45 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "engine/deliverables/drawings/pdf_file.h"
+#include "engine/deliverables/drawings/pdf_text.h"
 #include "engine/whole_file.h"
 #include "kernels/core/portable_math.h"
 
 namespace ilot {
 namespace {
 
-constexpr double kPointsPerMm = 72 / 25.4;
-constexpr double kCapitalOfHelvetica = 0.718;  // of Helvetica, in font sizes
 constexpr double kWidestCurve = 0.2;  // greatest bulge that one curve draws: 45 degrees, within 1e-5 of the radius
-
-// Widths of the letters from the blank to the tilde, in thousandths of the font size (Adobe's metrics of Helvetica).
-constexpr std::array<int, 95> kWidths{278,  278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278,
-                                      556,  556, 556, 556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556,
-                                      1015, 667, 667, 722, 722, 667, 611, 778, 722, 278, 500, 667, 556, 833, 722, 778,
-                                      667,  778, 722, 667, 611, 722, 667, 944, 667, 667, 611, 278, 278, 278, 469, 556,
-                                      333,  556, 556, 500, 556, 556, 278, 556, 556, 222, 222, 500, 222, 833, 556, 556,
-                                      556,  556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584};
-constexpr int kOtherWidth = 556;
-
-// Returns the byte of Windows code page 1252.
-unsigned char western(char32_t code) {
-  constexpr std::array<std::pair<char32_t, unsigned char>, 10> kBeyond{{{0x20AC, 0x80},
-                                                                        {0x2026, 0x85},
-                                                                        {0x0152, 0x8C},
-                                                                        {0x2018, 0x91},
-                                                                        {0x2019, 0x92},
-                                                                        {0x201C, 0x93},
-                                                                        {0x201D, 0x94},
-                                                                        {0x2013, 0x96},
-                                                                        {0x2014, 0x97},
-                                                                        {0x0153, 0x9C}}};
-  if ((code >= 32 && code < 127) || (code >= 0xA0 && code < 0x100)) return static_cast<unsigned char>(code);
-  for (const auto& [from, to] : kBeyond)
-    if (code == from) return to;
-  return '?';
-}
 
 // Converts metres of the drawing to millimetres from the lower left corner of the paper.
 struct PdfPlace {
@@ -97,20 +69,13 @@ std::string path_of(const DrawingArc& arc, const PdfPlace& at) {
 }
 
 std::string text_of(const DrawingText& text, const PdfPlace& at) {
-  std::string letters;
-  int width = 0;
-  for (const char32_t code : code_points(clean_text(text.text))) {
-    const unsigned char letter = western(code);
-    width += letter >= 32 && letter < 127 ? kWidths[letter - 32u] : kOtherWidth;
-    if (letter == '(' || letter == ')' || letter == '\\') letters += '\\';
-    letters += letter < 127 ? std::string(1, static_cast<char>(letter)) : fmt::format("\\{:03o}", letter);
-  }
+  const PdfLetters letters = pdf_letters(text.text);
   const double size = text.height / at.mm / kCapitalOfHelvetica;
   const double share = text.anchor == TextAnchor::left ? 0 : text.anchor == TextAnchor::middle ? 0.5 : 1;
-  const double back = share * width * text.height / kCapitalOfHelvetica / 1000;
+  const double back = share * letters.width * text.height / kCapitalOfHelvetica;
   const double c = cos_degrees(text.rotation_deg), s = cos_degrees(text.rotation_deg - 90);
   return fmt::format("BT /F1 {} Tf {} {} {} {} {} Tm ({}) Tj ET\n", decimal(size, 3), decimal(c, 5), decimal(s, 5),
-                     decimal(-s, 5), decimal(c, 5), at({text.x - back * c, text.y - back * s}), letters);
+                     decimal(-s, 5), decimal(c, 5), at({text.x - back * c, text.y - back * s}), letters.escaped);
 }
 
 std::string pen_of(const DrawingLayer& layer) {
@@ -141,35 +106,11 @@ std::string strokes_of(DrawingRole role, const Drawing& drawing, const DrawingLa
   return strokes;
 }
 
-std::string quoted(const std::string& text) {
-  std::string letters = "(";
-  for (const char32_t code : code_points(clean_text(text))) {
-    const unsigned char letter = western(code);
-    if (letter == '(' || letter == ')' || letter == '\\') letters += '\\';
-    letters += letter < 127 ? std::string(1, static_cast<char>(letter)) : fmt::format("\\{:03o}", letter);
-  }
-  return letters + ")";
-}
-
-// Writes the objects in their order, then the place where each begins.
-std::string file_of(const std::vector<std::string>& objects) {
-  std::string file = "%PDF-1.5\n%\xE2\xE3\xCF\xD3\n";
-  std::string table = fmt::format("xref\n0 {}\n0000000000 65535 f \n", objects.size() + 1);
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    table += fmt::format("{:010} 00000 n \n", file.size());
-    file += fmt::format("{} 0 obj\n{}\nendobj\n", i + 1, objects[i]);
-  }
-  const std::size_t begin = file.size();
-  return file + table +
-         fmt::format("trailer\n<</Size {} /Root 1 0 R /Info 6 0 R>>\nstartxref\n{}\n%%EOF\n", objects.size() + 1,
-                     begin);
-}
-
 }  // namespace
 
 std::string drawing_pdf(const Drawing& whole, const DrawingLayers& layers) {
   const Drawing drawing = flattened(whole);
-  constexpr std::size_t kFirstLayer = 7;  // number of the object of the first layer
+  constexpr std::size_t kInfo = 6, kFirstLayer = 7;  // numbers of objects
   const PdfPlace at{drawing.sheet, drawing.paper_mm(1)};
   std::string content = decimal(kPointsPerMm, 6) + " 0 0 " + decimal(kPointsPerMm, 6) + " 0 0 cm 1 J 1 j\n";
   std::string all, hidden, properties;
@@ -181,7 +122,7 @@ std::string drawing_pdf(const Drawing& whole, const DrawingLayers& layers) {
     const std::string reference = fmt::format("{} 0 R ", kFirstLayer + groups.size());
     content += fmt::format("/OC /L{} BDC\n{}EMC\n", groups.size(), strokes);
     properties += fmt::format("/L{} {}", groups.size(), reference);
-    groups.push_back("<</Type /OCG /Name " + quoted(layers[role].name) + ">>");
+    groups.push_back("<</Type /OCG /Name (" + pdf_letters(layers[role].name).escaped + ")>>");
     all += reference;
     if (!layers[role].shown) hidden += reference;
   }
@@ -194,10 +135,10 @@ std::string drawing_pdf(const Drawing& whole, const DrawingLayers& layers) {
                   decimal(drawing.sheet.width() / at.mm * kPointsPerMm, 3),
                   decimal(drawing.sheet.height() / at.mm * kPointsPerMm, 3), properties),
       "<</Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding>>",
-      fmt::format("<</Length {}>>\nstream\n{}endstream", content.size(), content),
-      "<</Title " + quoted(drawing.title) + " /Producer (ilot)>>"};
+      pdf_stream(content),
+      pdf_info(drawing.title)};
   objects.insert(objects.end(), groups.begin(), groups.end());
-  return file_of(objects);
+  return pdf_file(objects, kInfo);
 }
 
 void write_drawing_pdf(const std::filesystem::path& path, const Drawing& drawing, const DrawingLayers& layers) {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A drawing as PDF 1.5: one page of paper at the scale of the drawing, with vectors and one layer for each layer of the
-// drawing, which a reader can switch.
-//
-// ilot has its own writer because the format needs only a page of path operators here. The available library (cairo)
-// writes the time into files and supports no layers.
+// drawing, which a reader can switch (pdf_file.h).
 #pragma once
 #include <filesystem>
 #include <string>

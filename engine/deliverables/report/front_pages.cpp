@@ -72,6 +72,7 @@ const char* use_of(const std::string& path) {
       {"ground.tif", "height of the ground"},
       {"artefacts.tif", "height of objects above the ground"},
       {"streets.svg", "the map of the street"},
+      {"streets.pdf", "the map of the street on sheets of A3"},
       {".dxf", "drawing for CAD"},
       {".pdf", "drawing on paper"},
       {".svg", "drawing for browsers"},

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/deliverables/report/packed.h"
 
-#include <zlib.h>
-
-#include "engine/error.h"
+#include "engine/compressed.h"
 
 namespace ilot {
-namespace {
-
-constexpr int kLevel = 6;  // Choice: zlib's own default; 9 takes three times as long for one part in a hundred
-
-}  // namespace
 
 std::string base64(std::string_view bytes) {
   constexpr const char* kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -27,12 +20,7 @@ std::string base64(std::string_view bytes) {
 }
 
 std::string packed(std::string_view bytes) {
-  std::string small(compressBound(bytes.size()), '\0');
-  uLongf size = small.size();
-  if (compress2(reinterpret_cast<Bytef*>(small.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
-                bytes.size(), kLevel) != Z_OK)
-    throw Error("report.html: its data cannot be compressed: out of memory");
-  return base64(std::string_view(small).substr(0, size));
+  return base64(compressed(bytes));
 }
 
 std::string packed_element(std::string_view name, std::string_view bytes) {

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/deliverables/layers/street_map.h"
+#include "engine/deliverables/maps/street_map.h"
 #include "engine/deliverables/report/charts.h"
 #include "engine/deliverables/report/html.h"
 #include "engine/deliverables/tables/planes_csv.h"

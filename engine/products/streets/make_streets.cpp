@@ -8,9 +8,10 @@
 
 #include "engine/deliverables/layers/kerbs_gpkg.h"
 #include "engine/deliverables/layers/pavements_gpkg.h"
-#include "engine/deliverables/layers/street_map.h"
 #include "engine/deliverables/layers/streets_gpkg.h"
 #include "engine/deliverables/layers/trees_gpkg.h"
+#include "engine/deliverables/maps/street_book.h"
+#include "engine/deliverables/maps/street_map.h"
 #include "engine/model/point_label.h"
 #include "engine/products/product_edits.h"
 #include "engine/products/streets/edits/object_edits.h"
@@ -23,6 +24,7 @@
 #include "engine/products/streets/pavements/carriageways.h"
 #include "engine/products/streets/pavements/pavement_areas.h"
 #include "engine/products/streets/street_codes.h"
+#include "engine/products/streets/street_cover.h"
 #include "engine/products/streets/street_kerbs.h"
 #include "engine/products/streets/street_labels.h"
 #include "engine/products/streets/street_pavements.h"
@@ -306,6 +308,19 @@ SelectedObjects selected_objects(const StreetClasses& model, std::span<const Edi
   return selected;
 }
 
+void write_files(const FoundStreet& street, const StreetPlan& plan, double metres_per_unit, const Crs& crs,
+                 const ProductOutput& out) {
+  write_objects_gpkg(out.folder / "objects.gpkg", plan, crs);
+  write_blocks_gpkg(out.folder / "blocks.gpkg", plan, crs);
+  write_kerbs_gpkg(out.folder / "kerbs.gpkg", plan, crs);
+  write_pavements_gpkg(out.folder / "pavements.gpkg", plan, metres_per_unit, crs);
+  write_trees_gpkg(out.folder / "trees.gpkg", plan, crs);
+  write_street_rasters(*street.tiles, out.folder, crs);
+  const std::vector<std::string> notes = left_out(street.view, out);
+  write_street_map(out.folder, plan, metres_per_unit, notes);
+  write_street_book(out.folder, plan, metres_per_unit, notes, street_cover(*street.tiles));
+}
+
 }  // namespace
 
 void make_streets(const Store& store, const Settings& settings, const StreetTraining& train, const Crs& crs,
@@ -356,13 +371,7 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
   }
   add_parts(street, plan);
   add_layers(store, street, labels, settings.streets.least_height, context, standing, plan);
-  write_objects_gpkg(out.folder / "objects.gpkg", plan, crs);
-  write_blocks_gpkg(out.folder / "blocks.gpkg", plan, crs);
-  write_kerbs_gpkg(out.folder / "kerbs.gpkg", plan, crs);
-  write_pavements_gpkg(out.folder / "pavements.gpkg", plan, context.metres_per_unit, crs);
-  write_trees_gpkg(out.folder / "trees.gpkg", plan, crs);
-  write_street_rasters(*street.tiles, out.folder, crs);
-  write_street_map(out.folder, plan, context.metres_per_unit, left_out(street.view, out));
+  write_files(street, plan, context.metres_per_unit, crs, out);
   out.record.streets =
       StreetCounts{plan.objects.size(), plan.blocks.size(), plan.gaps.size(),      plan.trees.size(),
                    plan.kerbs.size(),   plan.widths.size(), plan.pavements.size(), plan.carriageways.size()};

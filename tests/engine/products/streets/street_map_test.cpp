@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/deliverables/layers/street_map.h"
+#include "engine/deliverables/maps/street_map.h"
 #include "engine/model/street_areas.h"
 #include "ilot/streets.h"
 #include "tests/engine/products/streets/street_runs.h"
