@@ -156,15 +156,6 @@ void warn_of_unused(const RunOptions& options, Progress& progress, RunRecord& re
   check("--train", options.train, "streets");
 }
 
-// Warns of products that `ilot info` says the cloud does not suit.
-void warn_of_unsuited(const RunOptions& options, const RunInputs& inputs, const Store& store,
-                      const PassContext& context, Progress& progress, RunRecord& record) {
-  for (const std::string& warning : unsuited_products(options.products, inputs, store, context)) {
-    record.warnings.push_back(warning);
-    progress.warn(warning);
-  }
-}
-
 // Executes the run step by step. All output goes to the staging folder.
 void make_products(const RunOptions& options, const RunInputs& inputs, const std::vector<PlannedSite>& sites,
                    const StreetTraining& training, OutputFolder& out, Progress& progress, RunRecord& record) {
@@ -179,7 +170,7 @@ void make_products(const RunOptions& options, const RunInputs& inputs, const std
     throw Error(why_no_point(options.area, inputs.readers));
   }
 
-  warn_of_unsuited(options, inputs, index.store, context, progress, record);
+  warn_of_unsuited(options.products, inputs, index.store, context, progress, record);
 
   std::filesystem::create_directories(out.staging());
   const std::vector<const Product*> products = products_to_make(options.products);

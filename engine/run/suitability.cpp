@@ -61,17 +61,17 @@ std::vector<CloudSuitability> suitability(const CloudInfo& info, const CloudMeas
   return all;
 }
 
-std::vector<std::string> unsuited_products(const std::vector<std::string>& products, const RunInputs& inputs,
-                                           const Store& store, const PassContext& context) {
+void warn_of_unsuited(const std::vector<std::string>& products, const RunInputs& inputs, const Store& store,
+                      const PassContext& context, Progress& progress, RunRecord& record) {
   CloudInfo info;
   info.crs = inputs.crs;
   for (const auto& reader : inputs.readers)
     for (const Station& station : reader->info().stations) info.stations.push_back(station);
-  std::vector<std::string> warnings;
-  for (const CloudSuitability& s : suitability(info, measure_store(store, context)))
-    if (!s.yes && std::find(products.begin(), products.end(), s.product) != products.end())
-      warnings.push_back(s.product + ": the cloud does not suit it: " + s.reason);
-  return warnings;
+  for (const CloudSuitability& s : suitability(info, measure_store(store, context))) {
+    if (s.yes || std::find(products.begin(), products.end(), s.product) == products.end()) continue;
+    record.warnings.push_back(s.product + ": the cloud does not suit it: " + s.reason);
+    progress.warn(record.warnings.back());
+  }
 }
 
 std::vector<std::string> cloud_warnings(const CloudInfo& info, const CloudMeasure& m) {

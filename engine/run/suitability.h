@@ -8,6 +8,8 @@
 #include "engine/columns/run_inputs.h"
 #include "engine/pass/context.h"
 #include "engine/products/product.h"
+#include "engine/report/progress.h"
+#include "engine/report/run_record.h"
 #include "engine/store/store.h"
 
 namespace ilot {
@@ -15,10 +17,10 @@ namespace ilot {
 // Returns all products in their order. A product that `run` refuses, or warns of, has the answer "no" here.
 std::vector<CloudSuitability> suitability(const CloudInfo& info, const CloudMeasure& measure);
 
-// Returns a warning for each of these products for which the points of a run are not suitable: the answers "no" of
-// suitability() over what is in the store. The run makes such a product nevertheless.
-std::vector<std::string> unsuited_products(const std::vector<std::string>& products, const RunInputs& inputs,
-                                           const Store& store, const PassContext& context);
+// Warns of each of these products for which the points of a run, or of a plan, are not suitable: the answers "no" of
+// suitability() over what is in the store. Such a product is made nevertheless.
+void warn_of_unsuited(const std::vector<std::string>& products, const RunInputs& inputs, const Store& store,
+                      const PassContext& context, Progress& progress, RunRecord& record);
 
 // Returns a warning about the distance between points when it is 0, above 10 m or below 0.1 mm; then the unit is
 // probably wrong.

@@ -31,6 +31,7 @@
 #include "engine/run/run_context.h"
 #include "engine/run/run_request.h"
 #include "engine/run/stray_warning.h"
+#include "engine/run/suitability.h"
 #include "engine/scale/chunk_boxes.h"
 #include "engine/scale/cut_plan.h"
 #include "engine/scale/plan.h"
@@ -205,6 +206,7 @@ void fill_folder(const PlanOptions& options, const RunInputs& inputs, std::vecto
   progress.end_stage();
   warn_of_strays(index, progress, record);
   if (index.store.points() == 0) throw Error("none of the points of the inputs can be used; ilot info says why");
+  warn_of_unsuited(run.products, inputs, index.store, context, progress, record);
   freeze_index(index, inputs, context, plan);
   const PointMap map = mapped(folder, inputs, index, context, plan);
   if (makes_roofs(plan))
