@@ -38,7 +38,9 @@ void run_tasks(const std::function<void(TaskGroup&)>& start) {
 }
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
+  if (count == 0) return;
   tbb::this_task_arena::isolate([&] {
+    if (count == 1) return body(0);
     tbb::parallel_for(
         std::size_t{0}, count, [&](std::size_t i) { body(i); }, tbb::simple_partitioner());
   });

@@ -19,6 +19,8 @@ struct Entry {
 constexpr std::size_t kOrderChunk = std::size_t{1} << 16;  // points a task
 constexpr int kTopBits = 11, kBits = 8;
 constexpr std::size_t kSmall = 24;
+// Measured: above it the buckets of the top digit pay for themselves; faces of buildings have a dozen points.
+constexpr std::size_t kFewPoints = 512;
 
 constexpr std::uint64_t spread2(std::uint64_t v) {
   v = (v | v << 16) & 0x0000ffff0000ffffull;
@@ -73,19 +75,32 @@ Point2 smallest_coordinates(std::span<const Point2> points) {
   return all;
 }
 
+std::uint64_t code_of(Point2 p, Point2 low) {
+  return spread2(static_cast<std::uint32_t>(p.x - low.x)) | spread2(static_cast<std::uint32_t>(p.y - low.y)) << 1;
+}
+
+std::unique_ptr<Entry[]> sorted_few(std::span<const Point2> points, Point2 low) {
+  std::unique_ptr<Entry[]> entries(new Entry[points.size()]);
+  for (std::size_t i = 0; i < points.size(); ++i) entries[i] = {code_of(points[i], low), static_cast<std::uint32_t>(i)};
+  if (points.size() <= kSmall)
+    insertion_sort(entries.get(), points.size());
+  else
+    std::sort(entries.get(), entries.get() + points.size(), before);
+  return entries;
+}
+
 // Sorts all entries. They are scattered by their top digit in chunks, and then each bucket is sorted digit by digit on
 // its own.
 std::unique_ptr<Entry[]> sorted_entries(std::span<const Point2> points) {
   const std::size_t n = points.size(), chunks = chunks_of(n);
   const Point2 low = smallest_coordinates(points);
+  if (n <= kFewPoints) return sorted_few(points, low);
   std::unique_ptr<Entry[]> entries(new Entry[n]), sorted(new Entry[n]);
   std::vector<std::uint64_t> ored(chunks);
   parallel_for(chunks, [&](std::size_t c) {
     std::uint64_t all = 0;  // of the chunk; frequent writes to neighbouring slots would slow the threads
     for (std::size_t i = c * kOrderChunk; i < std::min(n, (c + 1) * kOrderChunk); ++i) {
-      entries[i] = {spread2(static_cast<std::uint32_t>(points[i].x - low.x)) |
-                        spread2(static_cast<std::uint32_t>(points[i].y - low.y)) << 1,
-                    static_cast<std::uint32_t>(i)};
+      entries[i] = {code_of(points[i], low), static_cast<std::uint32_t>(i)};
       all |= entries[i].code;
     }
     ored[c] = all;

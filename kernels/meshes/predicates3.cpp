@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 namespace ilot {
 namespace {
@@ -19,6 +20,12 @@ int sign(Wide v) {
 
 Wide product(std::int64_t a, std::int64_t b) {
   return static_cast<Wide>(a) * b;
+}
+
+// Derived: the determinant of three vectors with components below 2^20 is below 6 * 2^60, within 64 bits.
+bool is_short(Index3 v) {
+  constexpr std::int64_t kShort = std::int64_t{1} << 20;
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) < kShort;
 }
 
 std::array<Wide, 3> area_vector(const IndexTriangle& t) {
@@ -59,9 +66,14 @@ bool flat_segment_meets(Index3 p, Index3 q, const IndexTriangle& t, int axis) {
 }  // namespace
 
 int orient3d_sign(Index3 a, Index3 b, Index3 c, Index3 d) {
+  const Index3 u = minus(b, a), v = minus(c, a), w = minus(d, a);
+  if (is_short(u) && is_short(v) && is_short(w)) {
+    const std::int64_t volume =
+        (u.y * v.z - u.z * v.y) * w.x + (u.z * v.x - u.x * v.z) * w.y + (u.x * v.y - u.y * v.x) * w.z;
+    return volume > 0 ? 1 : volume < 0 ? -1 : 0;
+  }
   const std::array<Wide, 3> n = area_vector({a, b, c});
-  const Index3 e = minus(d, a);
-  return sign(n[0] * e.x + n[1] * e.y + n[2] * e.z);
+  return sign(n[0] * w.x + n[1] * w.y + n[2] * w.z);
 }
 
 int widest_axis(const IndexTriangle& t) {

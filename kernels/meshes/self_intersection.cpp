@@ -29,6 +29,12 @@ bool folded(Index3 a, Index3 b, Index3 c, Index3 d) {
   return orient2d_sign(a, b, c, axis) == orient2d_sign(a, b, d, axis);
 }
 
+// Whether all corners of s are on one side of the plane of t. Where one is on it, they are not.
+bool beside_plane(const IndexTriangle& s, const IndexTriangle& t) {
+  const int side = orient3d_sign(t.a, t.b, t.c, s.a);
+  return side != 0 && orient3d_sign(t.a, t.b, t.c, s.b) == side && orient3d_sign(t.a, t.b, t.c, s.c) == side;
+}
+
 bool meet(TriangleCorners s, TriangleCorners t, std::span<const Index3> v) {
   const TriangleCorners first = s;
   const int shared = turn_shared_first(s, t);
@@ -38,7 +44,8 @@ bool meet(TriangleCorners s, TriangleCorners t, std::span<const Index3> v) {
   if (shared == 1)
     return segment_meets_triangle(v[s[1]], v[s[2]], corners_of(t, v)) ||
            segment_meets_triangle(v[t[1]], v[t[2]], corners_of(s, v));
-  return triangles_meet(corners_of(s, v), corners_of(t, v));
+  const IndexTriangle one = corners_of(s, v), other = corners_of(t, v);
+  return !beside_plane(one, other) && !beside_plane(other, one) && triangles_meet(one, other);
 }
 
 std::vector<BoxedTriangle> boxes_along_x(std::span<const TriangleCorners> triangles, std::span<const Index3> vertices) {

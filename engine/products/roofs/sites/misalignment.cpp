@@ -2,6 +2,7 @@
 #include "engine/products/roofs/sites/misalignment.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -10,6 +11,11 @@ namespace {
 
 constexpr double kMillimetre = 0.001;
 
+// Cells of a row that follow each other; both ends belong to it.
+struct Run {
+  std::int64_t first, last;
+};
+
 // Marks the cells of the raster whose centres lie in an outline.
 class Raster {
  public:
@@ -17,12 +23,14 @@ class Raster {
       : x_(cell(min_x)), y_(cell(min_y)), width_(cell(max_x) - x_ + 1), height_(cell(max_y) - y_ + 1) {
     inside_.resize(static_cast<std::size_t>(width_ * height_));
     for (const SitePolygon& outline : outlines) fill(outline);
+    collect_runs();
   }
-  bool contains(std::int64_t column, std::int64_t row) const {
-    column -= x_;
+  // The runs of marked cells in a row, ascending.
+  std::span<const Run> runs(std::int64_t row) const {
     row -= y_;
-    if (column < 0 || column >= width_ || row < 0 || row >= height_) return false;
-    return inside_[static_cast<std::size_t>(row * width_ + column)] != 0;
+    if (row < 0 || row >= height_) return {};
+    const std::size_t begin = first_[static_cast<std::size_t>(row)];
+    return std::span(runs_).subspan(begin, first_[static_cast<std::size_t>(row) + 1] - begin);
   }
   static std::int64_t cell(double v) { return static_cast<std::int64_t>(std::floor(v / kShiftStep)); }
 
@@ -52,10 +60,40 @@ class Raster {
     for (std::int64_t column = first; column <= last; ++column)
       inside_[static_cast<std::size_t>(row * width_ + column)] = 1;
   }
+  void collect_runs() {
+    for (std::int64_t row = 0; row < height_; ++row) {
+      first_.push_back(runs_.size());
+      const auto begin = inside_.begin() + row * width_, end = begin + width_;
+      for (auto from = std::find(begin, end, 1); from != end;) {
+        const auto to = std::find(from, end, 0);
+        runs_.push_back({x_ + (from - begin), x_ + (to - begin) - 1});
+        from = std::find(to, end, 1);
+      }
+    }
+    first_.push_back(runs_.size());
+  }
 
   std::int64_t x_, y_, width_, height_;
   std::vector<std::uint8_t> inside_;
+  std::vector<Run> runs_;           // row by row
+  std::vector<std::size_t> first_;  // of each row; one more than there are rows
 };
+
+// For each shift in y: by how many more points the outlines contain at a shift in x than at the one before it.
+using ShiftSteps = std::array<std::array<std::int64_t, kShifts + 1>, kShifts>;
+
+// Adds a point: a run of cells contains it at all shifts of one stretch.
+void add_point(const Raster& raster, std::int64_t column, std::int64_t row, ShiftSteps& steps) {
+  for (int dy = -kShiftReach; dy <= kShiftReach; ++dy)
+    for (const Run& run : raster.runs(row - dy)) {
+      const std::int64_t first = std::max<std::int64_t>(column - run.last, -kShiftReach);
+      const std::int64_t last = std::min<std::int64_t>(column - run.first, kShiftReach);
+      if (first > last) continue;
+      auto& in_x = steps[static_cast<std::size_t>(dy + kShiftReach)];
+      ++in_x[static_cast<std::size_t>(first + kShiftReach)];
+      --in_x[static_cast<std::size_t>(last + kShiftReach + 1)];
+    }
+}
 
 }  // namespace
 
@@ -69,14 +107,19 @@ void count_shifts(std::span<const Vec3> points, std::span<const SitePolygon> out
   const double min_x = x0->x * kMillimetre - kReach, max_x = x1->x * kMillimetre + kReach;
   const double min_y = y0->y * kMillimetre - kReach, max_y = y1->y * kMillimetre + kReach;
   const Raster raster(outlines, min_x - kReach, min_y - kReach, max_x + kReach, max_y + kReach);
+  ShiftSteps steps{};
   for (const Vec3 p : points) {
     if (p.x < min_x || p.x > max_x || p.y < min_y || p.y > max_y) continue;
     ++counts.points;
-    const std::int64_t column = Raster::cell(p.x), row = Raster::cell(p.y);
-    for (int dy = -kShiftReach; dy <= kShiftReach; ++dy)
-      for (int dx = -kShiftReach; dx <= kShiftReach; ++dx)
-        counts.inside[static_cast<std::size_t>((dy + kShiftReach) * kShifts + dx + kShiftReach)] +=
-            raster.contains(column - dx, row - dy);
+    add_point(raster, Raster::cell(p.x), Raster::cell(p.y), steps);
+  }
+  std::size_t shift = 0;
+  for (const auto& in_x : steps) {
+    std::int64_t inside = 0;
+    for (std::size_t x = 0; x + 1 < in_x.size(); ++x) {
+      inside += in_x[x];
+      counts.inside[shift++] += static_cast<std::uint64_t>(inside);
+    }
   }
 }
 

@@ -51,12 +51,13 @@ RoofRaster::RoofRaster(const RoofSite& site, const RoofModel& model, double leve
       cells_[i].roof = faces ? model.map.planes[regions[i] - 1].at(centres[i].x / 1000, centres[i].y / 1000) : level;
 }
 
+// What lies before the raster is cut to 0, so that rounding towards 0 does.
 std::int64_t RoofRaster::column(double x) const {
-  return std::clamp(static_cast<std::int64_t>(std::floor((x - low_x_) / width_)), std::int64_t{0}, columns_ - 1);
+  return std::clamp(static_cast<std::int64_t>((x - low_x_) / width_), std::int64_t{0}, columns_ - 1);
 }
 
 std::int64_t RoofRaster::row(double y) const {
-  return std::clamp(static_cast<std::int64_t>(std::floor((y - low_y_) / width_)), std::int64_t{0}, rows_ - 1);
+  return std::clamp(static_cast<std::int64_t>((y - low_y_) / width_), std::int64_t{0}, rows_ - 1);
 }
 
 void RoofRaster::add(Vec3 p, bool off) {
@@ -64,9 +65,11 @@ void RoofRaster::add(Vec3 p, bool off) {
   Cell& own = cells_[static_cast<std::size_t>(row(p.y) * columns_ + column(p.x))];
   if (off && own.off < 0x7fffffffu) ++own.off;
   if (!off && own.on < 0xffffffffu) ++own.on;
-  for (std::int64_t r = row(p.y - reach_); r <= row(p.y + reach_); ++r)
-    for (std::int64_t c = column(p.x - reach_); c <= column(p.x + reach_); ++c) {
+  const std::int64_t first = column(p.x - reach_), last = column(p.x + reach_), last_row = row(p.y + reach_);
+  for (std::int64_t r = row(p.y - reach_); r <= last_row; ++r)
+    for (std::int64_t c = first; c <= last; ++c) {
       Cell& cell = cells_[static_cast<std::size_t>(r * columns_ + c)];
+      if (cell.seen != 0 && cell.highest >= p.z) continue;  // the point changes nothing
       const double dx = p.x - (low_x_ + (static_cast<double>(c) + 0.5) * width_);
       const double dy = p.y - (low_y_ + (static_cast<double>(r) + 0.5) * width_);
       const double flat2 = dx * dx + dy * dy, dz = p.z - cell.roof;
