@@ -63,6 +63,26 @@ bool flat_segment_meets(Index3 p, Index3 q, const IndexTriangle& t, int axis) {
          segments_meet(p, q, t.b, t.c, axis) || segments_meet(p, q, t.c, t.a, axis);
 }
 
+int side_of(const IndexTriangle& t, Index3 p) {
+  return orient3d_sign(t.a, t.b, t.c, p);
+}
+
+// Whether the closed segment meets the closed triangle. `above` and `below` are the sides of its ends.
+bool segment_meets(Index3 p, Index3 q, const IndexTriangle& t, int above, int below) {
+  if (above * below > 0) return false;
+  if (above == 0 && below == 0) return flat_segment_meets(p, q, t, widest_axis(t));
+  const int a = orient3d_sign(p, q, t.a, t.b), b = orient3d_sign(p, q, t.b, t.c);
+  if (a * b < 0) return false;
+  const int c = orient3d_sign(p, q, t.c, t.a);
+  return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+}
+
+// Whether a side of s meets t.
+bool any_side_meets(const IndexTriangle& s, const IndexTriangle& t) {
+  const int a = side_of(t, s.a), b = side_of(t, s.b), c = side_of(t, s.c);
+  return segment_meets(s.a, s.b, t, a, b) || segment_meets(s.b, s.c, t, b, c) || segment_meets(s.c, s.a, t, c, a);
+}
+
 }  // namespace
 
 int orient3d_sign(Index3 a, Index3 b, Index3 c, Index3 d) {
@@ -91,17 +111,11 @@ int orient2d_sign(Index3 a, Index3 b, Index3 c, int axis) {
 }
 
 bool segment_meets_triangle(Index3 p, Index3 q, const IndexTriangle& t) {
-  const int above = orient3d_sign(t.a, t.b, t.c, p), below = orient3d_sign(t.a, t.b, t.c, q);
-  if (above * below > 0) return false;
-  if (above == 0 && below == 0) return flat_segment_meets(p, q, t, widest_axis(t));
-  const int a = orient3d_sign(p, q, t.a, t.b), b = orient3d_sign(p, q, t.b, t.c), c = orient3d_sign(p, q, t.c, t.a);
-  return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+  return segment_meets(p, q, t, side_of(t, p), side_of(t, q));
 }
 
 bool triangles_meet(const IndexTriangle& s, const IndexTriangle& t) {
-  return segment_meets_triangle(s.a, s.b, t) || segment_meets_triangle(s.b, s.c, t) ||
-         segment_meets_triangle(s.c, s.a, t) || segment_meets_triangle(t.a, t.b, s) ||
-         segment_meets_triangle(t.b, t.c, s) || segment_meets_triangle(t.c, t.a, s);
+  return any_side_meets(s, t) || any_side_meets(t, s);
 }
 
 }  // namespace ilot

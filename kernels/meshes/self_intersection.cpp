@@ -17,9 +17,16 @@ IndexTriangle corners_of(const TriangleCorners& t, std::span<const Index3> verti
 
 // Turns the triangle so that its first corners are those shared with the other, and returns their number.
 int turn_shared_first(TriangleCorners& t, const TriangleCorners& other) {
-  const auto mid = std::stable_partition(
-      t.begin(), t.end(), [&](std::uint32_t i) { return std::find(other.begin(), other.end(), i) != other.end(); });
-  return static_cast<int>(mid - t.begin());
+  const TriangleCorners given = t;
+  int turned = 0;
+  const auto take = [&](bool shared) {
+    for (const std::uint32_t i : given)
+      if ((i == other[0] || i == other[1] || i == other[2]) == shared) t[static_cast<std::size_t>(turned++)] = i;
+    return turned;
+  };
+  const int shared = take(true);
+  take(false);
+  return shared;
 }
 
 // Whether two triangles with a common edge and the far corners c and d meet elsewhere.
@@ -27,12 +34,6 @@ bool folded(Index3 a, Index3 b, Index3 c, Index3 d) {
   if (orient3d_sign(a, b, c, d) != 0) return false;
   const int axis = widest_axis({a, b, c});
   return orient2d_sign(a, b, c, axis) == orient2d_sign(a, b, d, axis);
-}
-
-// Whether all corners of s are on one side of the plane of t. Where one is on it, they are not.
-bool beside_plane(const IndexTriangle& s, const IndexTriangle& t) {
-  const int side = orient3d_sign(t.a, t.b, t.c, s.a);
-  return side != 0 && orient3d_sign(t.a, t.b, t.c, s.b) == side && orient3d_sign(t.a, t.b, t.c, s.c) == side;
 }
 
 bool meet(TriangleCorners s, TriangleCorners t, std::span<const Index3> v) {
@@ -44,8 +45,7 @@ bool meet(TriangleCorners s, TriangleCorners t, std::span<const Index3> v) {
   if (shared == 1)
     return segment_meets_triangle(v[s[1]], v[s[2]], corners_of(t, v)) ||
            segment_meets_triangle(v[t[1]], v[t[2]], corners_of(s, v));
-  const IndexTriangle one = corners_of(s, v), other = corners_of(t, v);
-  return !beside_plane(one, other) && !beside_plane(other, one) && triangles_meet(one, other);
+  return triangles_meet(corners_of(s, v), corners_of(t, v));
 }
 
 std::vector<BoxedTriangle> boxes_along_x(std::span<const TriangleCorners> triangles, std::span<const Index3> vertices) {
