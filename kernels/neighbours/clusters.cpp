@@ -187,7 +187,7 @@ Clusters clusters_of_few(const Points& p, std::span<const std::uint32_t> indices
     const Member from = members[begin++];
     clusters.id[from.place] = clusters.count - 1;
     for (std::size_t i = reached; i < end; ++i)
-      if (within_reach({&from.at, 1}, {&members[i].at, 1}, radius2)) std::swap(members[i], members[reached++]);
+      if (within_reach(from.at, members[i].at, radius2)) std::swap(members[i], members[reached++]);
   }
   return clusters;
 }

@@ -118,28 +118,37 @@ struct Leader {
   std::uint32_t rotation, bin, count, lead;
 };
 
-inline Leader leader_of(Accumulator& accumulator, std::uint32_t rotation) {
-  std::uint16_t* count = accumulator.count;
-  const auto most = [&] {
-    std::uint16_t m = 0;
-    for (std::uint32_t i = 0; i < kBins; ++i) m = count[i] > m ? count[i] : m;
-    return m;
-  };
-  const std::uint16_t best = most();
+inline std::uint16_t most_votes(const Accumulator& accumulator) {
+  std::uint16_t most = 0;
+  for (std::uint32_t i = 0; i < kBins; ++i) most = accumulator.count[i] > most ? accumulator.count[i] : most;
+  return most;
+}
+
+// `best` is the number of votes of the leading bin.
+inline Leader leader_of(Accumulator& accumulator, std::uint32_t rotation, std::uint16_t best) {
   std::uint32_t bin = 0;
-  while (count[bin] != best) ++bin;
-  count[bin] = 0;
-  const std::uint16_t second = most();
-  count[bin] = best;
+  while (accumulator.count[bin] != best) ++bin;
+  accumulator.count[bin] = 0;
+  const std::uint16_t second = most_votes(accumulator);
+  accumulator.count[bin] = best;
   return {rotation, bin, best, static_cast<std::uint32_t>(best - second)};
 }
 
-// Returns the rotation whose leading bin has most votes. Ties go to the larger lead, then to the earlier rotation.
+// Returns the rotation whose leading bin has most votes. Ties go to the larger lead, then to the earlier rotation. Leads
+// are found only of those that have most votes.
 inline Leader best_leader(Accumulator* accumulators) {
-  Leader best = leader_of(accumulators[0], 0);
-  for (std::uint32_t r = 1; r < kHoughRotations; ++r) {
-    const Leader other = leader_of(accumulators[r], r);
-    if (other.count > best.count || (other.count == best.count && other.lead > best.lead)) best = other;
+  std::uint16_t votes[kHoughRotations], most = 0;
+  for (std::uint32_t r = 0; r < kHoughRotations; ++r) {
+    votes[r] = most_votes(accumulators[r]);
+    most = votes[r] > most ? votes[r] : most;
+  }
+  Leader best{};
+  bool any = false;
+  for (std::uint32_t r = 0; r < kHoughRotations; ++r) {
+    if (votes[r] != most) continue;
+    const Leader other = leader_of(accumulators[r], r, most);
+    if (!any || other.lead > best.lead) best = other;
+    any = true;
   }
   return best;
 }

@@ -31,9 +31,7 @@ std::int64_t most_distance2(const IntBox& a, const IntBox& b) {
 bool any_pair_within(std::span<const IntPoint> a, std::span<const IntPoint> b, std::int64_t radius2) {
   for (const IntPoint& u : a)
     for (const IntPoint& v : b)
-      if (squared(std::int64_t{u.x} - v.x) + squared(std::int64_t{u.y} - v.y) + squared(std::int64_t{u.z} - v.z) <=
-          radius2)
-        return true;
+      if (within_reach(u, v, radius2)) return true;
   return false;
 }
 

@@ -31,6 +31,11 @@ inline IntBox box_of(std::span<const IntPoint> points) {
   return b;
 }
 
+inline bool within_reach(const IntPoint& a, const IntPoint& b, std::int64_t radius2) {
+  const std::int64_t x = std::int64_t{a.x} - b.x, y = std::int64_t{a.y} - b.y, z = std::int64_t{a.z} - b.z;
+  return x * x + y * y + z * z <= radius2;
+}
+
 // Whether any point of the first set is within the radius of any of the second.
 bool within_reach(std::span<const IntPoint> a, std::span<const IntPoint> b, std::int64_t radius2);
 

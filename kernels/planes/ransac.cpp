@@ -107,12 +107,14 @@ class Search {
     if (stride == stride_) return;
     stride_ = stride;
     sample_ = {};
-    for (std::size_t i = 0; i < remaining_.size; ++i)
+    for (std::size_t i = 0; stride_ > 1 && i < remaining_.size; ++i)
       if (remaining_.index[i] % stride_ == 0) sample_.add(remaining_, i);
     sample_.pad();
-    count_inliers(sample_.oriented(), pool_.planes, score_params(), pool_.counts);
+    count_inliers(sample().oriented(), pool_.planes, score_params(), pool_.counts);
     pool_.prune(least_count(), kPool);
   }
+
+  const RemainingPoints& sample() const { return stride_ == 1 ? remaining_ : sample_; }
 
   // A candidate with fewer points of the sample is not worth keeping. The limit is half of what the smallest plane
   // should have.
@@ -139,7 +141,7 @@ class Search {
     expected_hits_per_point_ +=
         static_cast<double>(made) / (static_cast<double>(remaining_.size) * kLevels * kLocality);
     pool_.counts.resize(pool_.planes.size());
-    count_inliers(sample_.oriented(), std::span(pool_.planes).subspan(before), score_params(),
+    count_inliers(sample().oriented(), std::span(pool_.planes).subspan(before), score_params(),
                   std::span(pool_.counts).subspan(before));
     pool_.prune(least_count(), kPool);
   }
@@ -151,7 +153,7 @@ class Search {
       if (remaining_.index[i] % stride_ == 0) gone.add(remaining_, i);
     gone.pad();
     std::vector<std::uint32_t> in_sample, lost(pool_.planes.size());
-    for (std::uint32_t i = 0, next = 0; next < gone.size; ++i) {
+    for (std::uint32_t i = 0, next = 0; stride_ > 1 && next < gone.size; ++i) {
       if (sample_.index[i] != gone.index[next]) continue;
       in_sample.push_back(i);
       ++next;
@@ -312,7 +314,7 @@ class Search {
   Rng rng_;
   RansacPlanes result_;
   std::vector<PointExtent> extents_;  // of the points of each plane
-  RemainingPoints sample_;            // the points on which candidates are counted
+  RemainingPoints sample_;            // the points on which candidates are counted, where not all that remain are
   std::size_t stride_ = 0;
   Pool pool_;
   double needed_hits_ = 0;

@@ -18,14 +18,13 @@ RemainingPoints with_normals(const OrientedPoints& p) {
 
 void remove(RemainingPoints& r, std::span<const std::uint32_t> members) {
   std::size_t to = members.empty() ? r.size : members[0];
-  std::size_t next = 0;
-  for (std::size_t i = to; i < r.size; ++i) {
-    if (next < members.size() && members[next] == i) {
-      ++next;
-      continue;
-    }
-    for (auto* v : {&r.x, &r.y, &r.z, &r.nx, &r.ny, &r.nz}) (*v)[to] = (*v)[i];
-    r.index[to++] = r.index[i];
+  for (std::size_t next = 0; next < members.size(); ++next) {
+    const std::size_t begin = members[next] + 1, end = next + 1 < members.size() ? members[next + 1] : r.size;
+    if (begin == end) continue;
+    const auto move = [&](auto& v) { std::copy(v.begin() + begin, v.begin() + end, v.begin() + to); };
+    for (auto* v : {&r.x, &r.y, &r.z, &r.nx, &r.ny, &r.nz}) move(*v);
+    move(r.index);
+    to += end - begin;
   }
   r.size = to;
 }

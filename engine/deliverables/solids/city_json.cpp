@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -15,7 +16,13 @@ namespace {
 
 constexpr double kFarthestStep = 0x1p53;  // steps; beyond it JSON readers round whole numbers
 
+// Whether JSON writes a text between quotation marks as it is.
+bool is_plain(const std::string& text) {
+  return std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
+}
+
 std::string quoted(const std::string& text) {
+  if (is_plain(text)) return '"' + text + '"';
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
@@ -78,7 +85,10 @@ std::string rings_text(const BuildingSurface& surface, std::span<const std::uint
   std::string text;
   for (const auto& ring : surface.rings) {
     text += text.empty() ? "[" : ",[";
-    for (std::size_t i = 0; i < ring.size(); ++i) text += fmt::format("{}{}", i ? "," : "", numbers[ring[i]]);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      if (i != 0) text += ',';
+      text += fmt::format_int(numbers[ring[i]]).c_str();
+    }
     text += "]";
   }
   return "[" + text + "]";

@@ -120,11 +120,12 @@ RoofModel SiteModeller::model_of(const GatheredSite& gathered, RoofSteps* steps)
 void SiteModeller::label_sample(const SiteReader& reader, const GatheredSite& gathered, const RoofModel& model,
                                 PointMeasures& measures, SiteResult& result) const {
   const PointLabeller labeller(gathered.site, model, work_.metres_per_unit);
-  const auto label = [&](std::span<const StorePlace> places, std::span<const Vec3> points, const auto& face_of) {
+  const auto label = [&](std::span<const StorePlace> places, std::span<const Vec3> points, const auto& face_of,
+                         const auto& away) {
     std::vector<SitePointLabel> labels;
     for (std::size_t i = 0; i < places.size(); ++i) {
       const std::uint32_t face = face_of(i);
-      labels.push_back({places[i].point, face, labeller.label(points[i], face), reader.away(points[i])});
+      labels.push_back({places[i].point, face, labeller.label(points[i], face), away(points[i])});
       const bool last = i + 1 == places.size() || places[i + 1].block != places[i].block;
       if (!last && labels.size() < kStretchPoints) continue;
       result.labels.push_back(labels_.store_labels(places[i].block, labels));
@@ -134,8 +135,12 @@ void SiteModeller::label_sample(const SiteReader& reader, const GatheredSite& ga
   const std::size_t inside = gathered.site.points.size();
   const auto& faces = model.face_of_point;
   for (std::size_t i = 0; i < inside; ++i) measures.add(gathered.site.points[i], faces[i]);
-  label(gathered.places, gathered.site.points, [&](std::size_t i) { return faces[i]; });
-  label(gathered.beside, gathered.site.beside, [&](std::size_t i) { return faces[inside + i]; });
+  label(
+      gathered.places, gathered.site.points, [&](std::size_t i) { return faces[i]; },
+      [](Vec3) { return std::uint8_t{0}; });
+  label(
+      gathered.beside, gathered.site.beside, [&](std::size_t i) { return faces[inside + i]; },
+      [&](Vec3 p) { return reader.away(p); });
 }
 
 void SiteModeller::label_all(const SiteReader& reader, const RoofSite& site, const RoofModel& model,

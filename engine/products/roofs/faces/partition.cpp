@@ -258,15 +258,19 @@ std::vector<std::uint32_t> regions_of(const Partition& partition, std::span<cons
     return static_cast<std::size_t>(std::clamp((x - low) / width, 0.0, static_cast<double>(strips - 1)));
   };
   struct Crossing {
-    double ax, ay, bx, by;
+    double ax, ay, bx, by, low;
     std::uint32_t left;
   };
   std::vector<std::vector<Crossing>> crossing(strips);
   for (const PartitionEdge& e : partition.edges) {
     const Point2 a = partition.vertices[e.from], b = partition.vertices[e.to];
     if (a.x == b.x) continue;  // never below
-    const Crossing c{static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(b.x),
-                     static_cast<double>(b.y), e.left};  // from < to: it runs towards +x, its left is above it
+    const Crossing c{static_cast<double>(a.x),
+                     static_cast<double>(a.y),
+                     static_cast<double>(b.x),
+                     static_cast<double>(b.y),
+                     static_cast<double>(std::min(a.y, b.y)),
+                     e.left};  // from < to: it runs towards +x, its left is above it
     const std::size_t last = strip_of(c.bx);
     for (std::size_t s = strip_of(c.ax); s <= last; ++s) crossing[s].push_back(c);
   }
@@ -275,7 +279,7 @@ std::vector<std::uint32_t> regions_of(const Partition& partition, std::span<cons
     if (p.x < low || p.x > high) continue;
     double nearest = -INFINITY;
     for (const Crossing& c : crossing[strip_of(p.x)]) {
-      if (p.x < c.ax || p.x >= c.bx || std::min(c.ay, c.by) > p.y) continue;
+      if ((p.x < c.ax) | (p.x >= c.bx) | (c.low > p.y)) continue;  // without branches, which could not be foreseen
       const double y = c.ay + (p.x - c.ax) / (c.bx - c.ax) * (c.by - c.ay);
       if (y > p.y || y <= nearest) continue;
       nearest = y;

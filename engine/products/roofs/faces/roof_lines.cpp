@@ -124,12 +124,14 @@ class StepFinder {
     while (!windows_.empty()) {
       const Window window = windows_.top();
       windows_.pop();
-      Run run = longest(window);
-      if (run.members.size() < kFewestOnStep) continue;
-      if (run.members.size() < window.size) {
-        windows_.push({run.members.size(), window.direction, window.strip});
+      const std::vector<Place>& places = places_in(window);
+      const Stretch stretch = longest(places);
+      if (stretch.size() < kFewestOnStep) continue;
+      if (stretch.size() < window.size) {
+        windows_.push({stretch.size(), window.direction, window.strip});
         continue;
       }
+      Run run = run_of(places, stretch, directions_[window.direction]);
       for (const std::uint32_t i : run.members) used_[i] = 1;
       place(run);
       runs.push_back(std::move(run));
@@ -153,6 +155,12 @@ class StepFinder {
     }
   };
 
+  // Places of a window that follow each other.
+  struct Stretch {
+    std::size_t first = 0, last = 0;
+    std::size_t size() const { return last - first; }
+  };
+
   void add_strips(std::uint32_t d) {
     std::vector<Place> places;
     for (std::uint32_t i = 0; i < seen_.size(); ++i) {
@@ -171,8 +179,8 @@ class StepFinder {
     places_.push_back(std::move(places));
     starts_.push_back(std::move(starts));
     for (std::size_t s = 0; s + 1 < starts_[d].size(); ++s) {
-      const Run run = longest({0, d, s});
-      if (run.members.size() >= kFewestOnStep) windows_.push({run.members.size(), d, s});
+      const Stretch stretch = longest(places_in({0, d, s}));
+      if (stretch.size() >= kFewestOnStep) windows_.push({stretch.size(), d, s});
     }
   }
 
@@ -197,22 +205,23 @@ class StepFinder {
 
   // The longest sequence of samples of a window without a gap. It is empty when the samples are too close together to
   // give a direction.
-  Run longest(const Window& window) const {
-    const std::vector<Place>& places = places_in(window);
-    std::size_t best_first = 0, best_last = 0, first = 0;
+  Stretch longest(const std::vector<Place>& places) const {
+    Stretch best;
+    std::size_t first = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (i > first && places[i].along - places[i - 1].along > kLineGapSteps * step_) first = i;
-      if (i + 1 - first > best_last - best_first && places[i].along - places[first].along >= kLeastRunSteps * step_) {
-        best_first = first;
-        best_last = i + 1;
-      }
+      if (i + 1 - first > best.size() && places[i].along - places[first].along >= kLeastRunSteps * step_)
+        best = {first, i + 1};
     }
+    return best;
+  }
+
+  static Run run_of(const std::vector<Place>& places, const Stretch& stretch, FlatPoint along) {
     Run run;
-    if (best_last - best_first < kFewestOnStep) return run;
-    for (std::size_t i = best_first; i < best_last; ++i) run.members.push_back(places[i].border_sample);
-    run.along = directions_[window.direction];
-    run.low = places[best_first].along;
-    run.high = places[best_last - 1].along;
+    for (std::size_t i = stretch.first; i < stretch.last; ++i) run.members.push_back(places[i].border_sample);
+    run.along = along;
+    run.low = places[stretch.first].along;
+    run.high = places[stretch.last - 1].along;
     return run;
   }
 
