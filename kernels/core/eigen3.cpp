@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernels/core/eigen3.h"
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ilot {
 namespace {
@@ -46,7 +46,10 @@ Eigen3 eigen_symmetric(const Symmetric3& m) {
     rotate(a, v, 1, 2);
   }
   std::array<std::size_t, 3> order{0, 1, 2};
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return a[i][i] < a[j][j]; });
+  const auto sort_pair = [&](std::size_t i) {
+    if (a[order[i + 1]][order[i + 1]] < a[order[i]][order[i]]) std::swap(order[i], order[i + 1]);
+  };
+  for (const std::size_t i : {0u, 1u, 0u}) sort_pair(i);  // equal values keep their order
   Eigen3 result;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t c = order[i];

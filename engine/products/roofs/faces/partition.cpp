@@ -106,6 +106,75 @@ class Straightener {
   std::vector<PartitionEdge> edges_;
 };
 
+// The edges of a partition in strips across x, each of which has all edges that cross it.
+class EdgeStrips {
+ public:
+  // Vertices ascend by x.
+  explicit EdgeStrips(const Partition& p)
+      : strips_(static_cast<std::size_t>(4 * std::sqrt(static_cast<double>(p.edges.size()))) + 1),
+        low_(p.vertices.front().x),
+        high_(p.vertices.back().x),
+        width_((high_ - low_) / static_cast<double>(strips_) + 1),
+        first_(strips_ + 1, 0) {
+    for (const PartitionEdge& e : p.edges) for_each_strip(p, e, [&](std::size_t s) { ++first_[s]; });
+    for (std::uint32_t end = 0; std::uint32_t & f : first_) end = f += end;
+    crossings_.resize(first_.back());
+    for (auto e = static_cast<std::uint32_t>(p.edges.size()); e-- > 0;)
+      for_each_strip(p, p.edges[e], [&](std::size_t s) { crossings_[--first_[s]] = crossing(p, e); });
+    for (std::size_t s = 0; s < strips_; ++s)
+      std::sort(crossings_.begin() + first_[s], crossings_.begin() + first_[s + 1],
+                [](const auto& a, const auto& b) { return a.high != b.high ? a.high > b.high : a.edge < b.edge; });
+  }
+
+  // The region above the nearest edge below a point; of edges at one height, the first of the partition counts.
+  std::uint32_t region_above_edge_below(FlatPoint p) const {
+    if (p.x < low_ || p.x > high_) return kOutside;
+    constexpr double kRounding = 1;  // millimetres, far above that of the heights
+    double nearest = -INFINITY;
+    const Crossing* best = nullptr;
+    const std::size_t strip = strip_of(p.x);
+    for (std::uint32_t i = first_[strip]; i < first_[strip + 1]; ++i) {
+      const Crossing& c = crossings_[i];
+      if (c.high + kRounding < nearest) break;
+      if ((p.x < c.ax) | (p.x >= c.bx) | (c.low > p.y)) continue;  // without branches, which could not be foreseen
+      const double y = c.ay + (p.x - c.ax) / (c.bx - c.ax) * (c.by - c.ay);
+      if (y > p.y || y < nearest || (y == nearest && best != nullptr && best->edge < c.edge)) continue;
+      nearest = y;
+      best = &c;
+    }
+    return best == nullptr ? kOutside : best->left;
+  }
+
+ private:
+  struct Crossing {
+    double ax, ay, bx, by, low, high;
+    std::uint32_t edge, left;
+  };
+
+  static Crossing crossing(const Partition& p, std::uint32_t edge) {
+    const PartitionEdge& e = p.edges[edge];  // from < to: it runs towards +x, its left is above it
+    const Point2 a = p.vertices[e.from], b = p.vertices[e.to];
+    const double ay = a.y, by = b.y;
+    return {
+        static_cast<double>(a.x), ay, static_cast<double>(b.x), by, std::min(ay, by), std::max(ay, by), edge, e.left};
+  }
+  std::size_t strip_of(double x) const {
+    return static_cast<std::size_t>(std::clamp((x - low_) / width_, 0.0, static_cast<double>(strips_ - 1)));
+  }
+  template <class Visit>
+  void for_each_strip(const Partition& p, const PartitionEdge& e, const Visit& visit) const {
+    const Point2 a = p.vertices[e.from], b = p.vertices[e.to];
+    if (a.x == b.x) return;  // never below
+    const std::size_t last = strip_of(b.x);
+    for (std::size_t s = strip_of(a.x); s <= last; ++s) visit(s);
+  }
+
+  std::size_t strips_;
+  double low_, high_, width_;
+  std::vector<std::uint32_t> first_;  // per strip, and one more entry
+  std::vector<Crossing> crossings_;   // strip by strip, those that reach highest first
+};
+
 // Sorts the vertices and keeps one of those at the same place.
 void join_vertices(Partition& p) {
   std::vector<Point2> places = p.vertices;
@@ -250,42 +319,8 @@ Partition part(const SitePolygon& outline, std::span<const FlatEdge> lines) {
 std::vector<std::uint32_t> regions_of(const Partition& partition, std::span<const FlatPoint> points) {
   std::vector<std::uint32_t> regions(points.size(), kOutside);
   if (partition.edges.empty()) return regions;
-  // Vertices ascend by x. Strips across x each contain the edges that cross them.
-  const auto strips = static_cast<std::size_t>(4 * std::sqrt(static_cast<double>(partition.edges.size()))) + 1;
-  const double low = partition.vertices.front().x, high = partition.vertices.back().x;
-  const double width = (high - low) / static_cast<double>(strips) + 1;
-  const auto strip_of = [&](double x) {
-    return static_cast<std::size_t>(std::clamp((x - low) / width, 0.0, static_cast<double>(strips - 1)));
-  };
-  struct Crossing {
-    double ax, ay, bx, by, low;
-    std::uint32_t left;
-  };
-  std::vector<std::vector<Crossing>> crossing(strips);
-  for (const PartitionEdge& e : partition.edges) {
-    const Point2 a = partition.vertices[e.from], b = partition.vertices[e.to];
-    if (a.x == b.x) continue;  // never below
-    const Crossing c{static_cast<double>(a.x),
-                     static_cast<double>(a.y),
-                     static_cast<double>(b.x),
-                     static_cast<double>(b.y),
-                     static_cast<double>(std::min(a.y, b.y)),
-                     e.left};  // from < to: it runs towards +x, its left is above it
-    const std::size_t last = strip_of(c.bx);
-    for (std::size_t s = strip_of(c.ax); s <= last; ++s) crossing[s].push_back(c);
-  }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const FlatPoint p = points[i];
-    if (p.x < low || p.x > high) continue;
-    double nearest = -INFINITY;
-    for (const Crossing& c : crossing[strip_of(p.x)]) {
-      if ((p.x < c.ax) | (p.x >= c.bx) | (c.low > p.y)) continue;  // without branches, which could not be foreseen
-      const double y = c.ay + (p.x - c.ax) / (c.bx - c.ax) * (c.by - c.ay);
-      if (y > p.y || y <= nearest) continue;
-      nearest = y;
-      regions[i] = c.left;
-    }
-  }
+  const EdgeStrips strips(partition);
+  std::ranges::transform(points, regions.begin(), [&](FlatPoint p) { return strips.region_above_edge_below(p); });
   return regions;
 }
 

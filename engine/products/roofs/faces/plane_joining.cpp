@@ -45,6 +45,7 @@ class Joiner {
       moments_.push_back(moments_of(points_, members_[g]));
       parts_.push_back({g});
       planes_.emplace_back();
+      shapes_.push_back(shape_of(moments_.back()));
     }
     find_near(std::max(kNearSteps * planes.step, kNearMetres) * kUnitsPerMetre);
   }
@@ -90,8 +91,8 @@ class Joiner {
     Moments both = moments_[g];
     both.add(moments_[h]);
     const PlaneFit fit = fit_plane(both);
-    if (!fit.unique || std::abs(fit.plane.n.z) < std::min(upright(g), upright(h))) return;
-    const Shape a = shape_of(moments_[g]), b = shape_of(moments_[h]);
+    const Shape &a = shapes_[g], &b = shapes_[h];
+    if (!fit.unique || std::abs(fit.plane.n.z) < std::min(a.upright, b.upright)) return;
     const bool clear = !a.narrow && !b.narrow && !(a.level && b.level);
     const double reach = clear ? kOfClearPlanes * detail_ : detail_;
     const double apart = kClearlyApart * reach;
@@ -103,15 +104,14 @@ class Joiner {
     fits_[pair] = {fit.rms, fit.plane};
   }
 
-  // The z of the plane's unit normal. Two narrow planes at different heights are not joined by a steep one.
-  double upright(std::uint32_t group) const { return std::abs(fit_plane(moments_[group]).plane.n.z); }
-
   struct Shape {
+    double upright = 0;  // z of the plane's unit normal; two narrow planes are not joined by a steeper one
     bool level = false, narrow = false;
   };
   static Shape shape_of(const Moments& moments) {
     const Eigen3 axes = eigen_symmetric(covariance(moments));
-    return {std::abs(axes.vectors[0].z) > kFlat, axes.values[1] < kNarrow * kNarrow};
+    return {std::abs(fit_plane(moments).plane.n.z), std::abs(axes.vectors[0].z) > kFlat,
+            axes.values[1] < kNarrow * kNarrow};
   }
 
   bool explains(const Plane& plane, std::span<const std::uint32_t> points, double reach) const {
@@ -125,6 +125,7 @@ class Joiner {
     const auto [g, h] = pair;
     planes_[g] = fits_.at(pair).second;
     moments_[g].add(moments_[h]);
+    shapes_[g] = shape_of(moments_[g]);
     parts_[g].insert(parts_[g].end(), parts_[h].begin(), parts_[h].end());
     parts_[h].clear();
     std::set<std::uint32_t> around;
@@ -152,6 +153,7 @@ class Joiner {
   double detail_;
   std::vector<std::vector<std::uint32_t>> members_, parts_;  // points of the given planes; given planes of each group
   std::vector<Moments> moments_;
+  std::vector<Shape> shapes_;
   std::vector<std::optional<Plane>> planes_;
   std::set<Pair> near_;
   std::map<Pair, std::pair<double, Plane>> fits_;  // of the candidates

@@ -146,6 +146,10 @@ class StepFinder {
     double along, offset;
     std::uint32_t border_sample;
   };
+  static bool before(const Place& p, const Place& q) {
+    if (p.along != q.along) return p.along < q.along;
+    return p.offset != q.offset ? p.offset < q.offset : p.border_sample < q.border_sample;
+  }
   struct Window {
     std::size_t size;
     std::uint32_t direction;
@@ -168,10 +172,8 @@ class StepFinder {
       places.push_back(
           {static_cast<std::int64_t>(std::floor(2 * offset / step_)), dot(directions_[d], seen_[i].at), offset, i});
     }
-    std::sort(places.begin(), places.end(), [](const Place& p, const Place& q) {
-      return std::tie(p.strip, p.along, p.offset, p.border_sample) <
-             std::tie(q.strip, q.along, q.offset, q.border_sample);
-    });
+    std::sort(places.begin(), places.end(),
+              [](const Place& p, const Place& q) { return p.strip != q.strip ? p.strip < q.strip : before(p, q); });
     std::vector<std::size_t> starts;
     for (std::size_t i = 0; i < places.size(); ++i)
       if (i == 0 || places[i].strip != places[i - 1].strip) starts.push_back(i);
@@ -195,10 +197,7 @@ class StepFinder {
     std::vector<Place>& merged = merged_;
     merged.clear();
     const auto place = [&](std::size_t i) { return places.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::merge(place(first), place(middle), place(middle), place(last), std::back_inserter(merged),
-               [](const Place& p, const Place& q) {
-                 return std::tie(p.along, p.offset, p.border_sample) < std::tie(q.along, q.offset, q.border_sample);
-               });
+    std::merge(place(first), place(middle), place(middle), place(last), std::back_inserter(merged), before);
     std::erase_if(merged, [&](const Place& p) { return used_[p.border_sample] != 0; });
     return merged;
   }
