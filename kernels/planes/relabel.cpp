@@ -248,7 +248,11 @@ void refit(Points points, double epsilon, std::uint32_t min_points, PlaneSegment
 
 void relabel_until_stable(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
                           std::uint32_t min_points, PlaneSegments& segments) {
-  const RunNeighbours runs(points.size, neighbours);
+  relabel_until_stable(points, neighbours, RunNeighbours(points.size, neighbours), params, min_points, segments);
+}
+
+void relabel_until_stable(Points points, const NeighbourLists& neighbours, const RunNeighbours& runs,
+                          const RelabelParams& params, std::uint32_t min_points, PlaneSegments& segments) {
   std::vector<std::uint32_t> before;
   for (int round = 0; round < params.max_rounds && before != segments.label; ++round) {
     before = segments.label;

@@ -5,6 +5,7 @@
 
 #include "kernels/planes/plane_segments.h"
 #include "kernels/planes/region_growing.h"
+#include "kernels/planes/run_neighbours.h"
 
 namespace ilot {
 
@@ -40,6 +41,10 @@ std::size_t split_borders(Points points, const NeighbourLists& neighbours, const
 // fewer than min_points lose their points, and the numbers are closed up.
 void relabel_until_stable(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
                           std::uint32_t min_points, PlaneSegments& segments);
+
+// The same where the runs of these neighbours are known.
+void relabel_until_stable(Points points, const NeighbourLists& neighbours, const RunNeighbours& runs,
+                          const RelabelParams& params, std::uint32_t min_points, PlaneSegments& segments);
 
 // Relabels islands [Boltcheva et al. 2019, 3.2.2]. A point moves to the plane of most of its neighbours (the document:
 // 12 of them) if it is within epsilon of that plane. A tie changes nothing. There is one round, on the labels before

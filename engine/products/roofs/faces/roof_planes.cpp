@@ -20,6 +20,7 @@
 #include "kernels/planes/plane_fit.h"
 #include "kernels/planes/ransac.h"
 #include "kernels/planes/relabel.h"
+#include "kernels/planes/run_neighbours.h"
 
 namespace ilot {
 namespace {
@@ -264,15 +265,15 @@ RoofPlanes find_roof_planes(const RoofSite& site, const RoofModelParams& params)
   const auto gap = static_cast<std::int64_t>(std::ceil(std::max(kPlaneGapSteps * r.step, kLeastGap) / kUnit));
   PlaneSegments s =
       ransac_planes(c.oriented(), {epsilon, cos_degrees(params.normal_angle), gap, min_points, 0.99, content_key(c)});
-  const RelabelParams relabel{epsilon, gap, 2, kRelabelRounds};
-  relabel_until_stable(c.points(), neighbours, {epsilon, gap, 2, kFirstRounds}, min_points, s);
+  const RunNeighbours runs(c.size, neighbours);
+  relabel_until_stable(c.points(), neighbours, runs, {epsilon, gap, 2, kFirstRounds}, min_points, s);
   join_alike(c, neighbours, epsilon, params.same_angle, s);
-  relabel_until_stable(c.points(), neighbours, relabel, min_points, s);
+  relabel_until_stable(c.points(), neighbours, runs, {epsilon, gap, 2, kRelabelRounds}, min_points, s);
   if (!params.superstructures) drop_superstructures(params, r.step * r.step, c, s);
   sort_out(site, c, s, r);
   if (params.superstructures) add_level_tops(site, r);
   join_explained(c.points(), c.corner, params.detail, r);
-  widen_heights(site.points, neighbours, r);
+  widen_heights(site.points, neighbours, runs, r);
   return r;
 }
 

@@ -16,18 +16,20 @@ bool is_on(const RoofPlane& plane, Vec3 p, double epsilon) {
   return std::abs(p.z - plane.at(p.x, p.y)) <= epsilon * lean;
 }
 
-// The points of each plane, in order.
-std::vector<std::vector<std::uint32_t>> members_of(const RoofPlanes& planes) {
+// The points of each plane that may have neighbours on others, in order.
+std::vector<std::vector<std::uint32_t>> members_at_borders(const RoofPlanes& planes, const RunNeighbours& runs) {
+  const std::vector<std::uint8_t> quiet = uniform_runs(runs, planes.of_point);
   std::vector<std::vector<std::uint32_t>> members(planes.planes.size());
   for (std::uint32_t i = 0; i < planes.of_point.size(); ++i)
-    if (planes.of_point[i] != 0) members[planes.of_point[i] - 1].push_back(i);
+    if (planes.of_point[i] != 0 && quiet[i / RunNeighbours::kRun] == 0) members[planes.of_point[i] - 1].push_back(i);
   return members;
 }
 
 }  // namespace
 
-void widen_heights(std::span<const Vec3> points, const NeighbourLists& neighbours, RoofPlanes& planes) {
-  std::vector<std::vector<std::uint32_t>> members = members_of(planes);
+void widen_heights(std::span<const Vec3> points, const NeighbourLists& neighbours, const RunNeighbours& runs,
+                   RoofPlanes& planes) {
+  std::vector<std::vector<std::uint32_t>> members = members_at_borders(planes, runs);
   std::vector<std::uint32_t> seen_by(points.size(), 0);  // the last plane from which a point was reached
   for (std::uint32_t label = 1; label <= planes.planes.size(); ++label) {
     RoofPlane& plane = planes.planes[label - 1];

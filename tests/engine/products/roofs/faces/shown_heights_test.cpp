@@ -36,7 +36,7 @@ struct Row {
 TEST(ShownHeights, PointsOfANeighbourWithinEpsilonShowAPlane) {
   Row row;
   ASSERT_NEAR(row.planes.planes[1].highest, 0.375, 1e-9);
-  widen_heights(row.points, {row.lists, 2}, row.planes);
+  widen_heights(row.points, {row.lists, 2}, RunNeighbours(row.points.size(), {row.lists, 2}), row.planes);
   EXPECT_NEAR(row.planes.planes[0].highest, 0.5, 1e-9);
   EXPECT_NEAR(row.planes.planes[1].highest, 0.5, 1e-9) << "up to the ridge";
   EXPECT_NEAR(row.planes.planes[1].lowest, 0, 1e-9);
@@ -45,7 +45,7 @@ TEST(ShownHeights, PointsOfANeighbourWithinEpsilonShowAPlane) {
 TEST(ShownHeights, PointsOfWallsAndBeyondAGapShowNothing) {
   Row row;
   row.planes.on_wall[24] = 1;  // the first point of the front plane, seen from the other one
-  widen_heights(row.points, {row.lists, 2}, row.planes);
+  widen_heights(row.points, {row.lists, 2}, RunNeighbours(row.points.size(), {row.lists, 2}), row.planes);
   EXPECT_NEAR(row.planes.planes[1].highest, 0.375, 1e-9);
 }
 
