@@ -64,7 +64,7 @@ class CellSearch {
       const std::int64_t inside2 = squared_inside(x, y, ring);
       const double kth = kth_of_gathered();
       if (kth <= static_cast<double>(inside2)) {
-        hint_ = 1.75 * kth;  // usually more than k places are as near
+        hint_ = 1.5 * kth;  // usually more than k places are as near
         squared = kth <= static_cast<double>(limit2_) ? static_cast<std::int64_t>(kth) : -1;
         return true;
       }

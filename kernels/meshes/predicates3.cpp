@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
+#include <cstdint>
 
 namespace ilot {
 namespace {
@@ -25,7 +25,8 @@ Wide product(std::int64_t a, std::int64_t b) {
 // Derived: the determinant of three vectors with components below 2^20 is below 6 * 2^60, within 64 bits.
 bool is_short(Index3 v) {
   constexpr std::int64_t kShort = std::int64_t{1} << 20;
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) < kShort;
+  const auto above_least = [](std::int64_t c) { return static_cast<std::uint64_t>(c + kShort); };
+  return (above_least(v.x) | above_least(v.y) | above_least(v.z)) < 2 * kShort;
 }
 
 std::array<Wide, 3> area_vector(const IndexTriangle& t) {

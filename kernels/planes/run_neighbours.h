@@ -14,7 +14,7 @@ namespace ilot {
 // For each run the other runs that contain neighbours of its points.
 class RunNeighbours {
  public:
-  static constexpr std::uint32_t kRun = 32;  // points
+  static constexpr std::uint32_t kRun = 8;  // points
 
   // O(points k). Keeps no reference to the lists.
   RunNeighbours(std::size_t points, const NeighbourLists& neighbours);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "kernels/geometry/box3.h"
 
@@ -44,6 +45,11 @@ std::vector<SitePolygon> outlines_around(const SiteWork& work, std::size_t numbe
   return outlines;
 }
 
+bool any_ground(std::span<const PointRole> roles) {
+  static_assert(sizeof(PointRole) == 1);
+  return std::memchr(roles.data(), static_cast<int>(PointRole::ground), roles.size()) != nullptr;
+}
+
 // Calls visit(position) for the ground points in the box, in global order. Roles come first: most clouds have no ground
 // where this is asked, and then no place of a point is read.
 template <class Visit>
@@ -55,7 +61,7 @@ void for_each_ground_point(const Store& store, const IndexBox& box, const Visit&
     for (std::uint32_t done = 0; done < s.count; done += kStretchPoints) {
       roles.resize(std::min(kStretchPoints, s.count - done));
       reader.read(s.first + done, roles);
-      if (std::find(roles.begin(), roles.end(), PointRole::ground) == roles.end()) continue;
+      if (!any_ground(roles)) continue;
       const auto codes = store.read(s.block, columns::kCodes, s.first + done, roles.size());
       for (std::size_t i = 0; i < roles.size(); ++i) {
         if (roles[i] != PointRole::ground) continue;
