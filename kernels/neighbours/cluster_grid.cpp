@@ -138,7 +138,7 @@ void join_bins(const ClusterGrid& grid, ClusterScratch& s, UnionFind sets) {
     for (std::uint32_t a = 0; a < s.bins.size() && count > 1; ++a) {
       const ClusterGrid::Near& near = grid.near_of[s.bins[a]];
       const auto all = std::span(grid.near).subspan(near.begin, near.all);
-      s.met.resize(near.all);
+      if (s.met.size() < near.all) s.met.resize(near.all);
       std::size_t met = 0;
       for (const std::uint32_t bin : touching ? all.first(near.touching) : all.subspan(near.touching)) {
         s.met[met] = s.slot[bin];

@@ -11,7 +11,7 @@ namespace {
 class GroupWriter {
  public:
   GroupWriter(RayColumn& column, std::span<const std::uint64_t> counts)
-      : column_(column), each_(std::max<std::size_t>(1, kWaiting / std::max<std::size_t>(1, counts.size()))) {
+      : column_(column), each_(waiting_of_each(counts)) {
     waiting_.resize(each_ * counts.size());
     filled_.resize(counts.size(), 0);
     std::uint64_t first = 0;
@@ -30,6 +30,12 @@ class GroupWriter {
 
  private:
   static constexpr std::size_t kWaiting = std::size_t{1} << 15;  // rays of all groups together
+
+  // No group waits for more rays than it has.
+  static std::size_t waiting_of_each(std::span<const std::uint64_t> counts) {
+    if (counts.empty()) return 1;
+    return std::max<std::size_t>(1, std::min<std::uint64_t>(kWaiting / counts.size(), std::ranges::max(counts)));
+  }
 
   void write(std::size_t group) {
     column_.write(next_[group], {waiting_.data() + group * each_, filled_[group]});
