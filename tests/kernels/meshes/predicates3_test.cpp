@@ -29,6 +29,18 @@ TEST(Predicates3, AreExactAtTheLimit) {
   EXPECT_EQ(orient3d_sign({-m, -m, 0}, {m, -m, 0}, {m, m, 0}, {-m, m, 1}), 1);
 }
 
+TEST(Predicates3, AreExactWhereVectorsGetLong) {
+  for (std::int64_t m = (std::int64_t{1} << 20) - 2; m <= (std::int64_t{1} << 20) + 2; ++m) {
+    for (const std::int64_t z : {-1, 0, 1}) {
+      EXPECT_EQ(orient3d_sign({0, 0, 0}, {m, 0, m}, {0, m, m}, {m, m, 2 * m + z}), z) << m;
+      EXPECT_EQ(orient3d_sign({0, 0, 0}, {-m, 0, -m}, {0, -m, -m}, {-1, -1, z - 2}), z) << m;
+    }
+  }
+  EXPECT_EQ(orient3d_sign({0, 0, 0}, {0xfffff, 0xfffff, -0xfffff}, {-0xfffff, 0xfffff, 0xfffff},
+                          {0xfffff, -0xfffff, 0xfffff}),
+            1);
+}
+
 TEST(Predicates3, SegmentsMeetTriangles) {
   EXPECT_TRUE(segment_meets_triangle({1, 1, -3}, {1, 1, 5}, kFlat)) << "through the middle";
   EXPECT_TRUE(segment_meets_triangle({1, 1, 0}, {1, 1, 5}, kFlat)) << "ends on it";

@@ -129,7 +129,8 @@ class EdgeStrips {
   // The region above the nearest edge below a point; of edges at one height, the first of the partition counts.
   std::uint32_t region_above_edge_below(FlatPoint p) const {
     if (p.x < low_ || p.x > high_) return kOutside;
-    constexpr double kRounding = 1;  // millimetres, far above that of the heights
+    // Derived: far above the rounding of heights.
+    constexpr double kRounding = 1;  // millimetres
     double nearest = -INFINITY;
     const Crossing* best = nullptr;
     const std::size_t strip = strip_of(p.x);

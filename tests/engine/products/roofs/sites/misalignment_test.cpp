@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "kernels/core/rng.h"
 
 namespace ilot {
@@ -38,6 +40,27 @@ TEST(Misalignment, AShiftIsFound) {
   EXPECT_NEAR(m.dy_m, -0.75, 1e-9);
   EXPECT_LT(m.inside, 0.85);
   EXPECT_GT(m.inside_moved, 0.999);
+}
+
+TEST(Misalignment, EachShiftHasThePointsThatItCovers) {
+  const SitePolygon court{kHouse[0], {{3000, 2000}, {3000, 6000}, {7000, 6000}, {7000, 2000}}};
+  const SitePolygon beside{{{10500, 1000}, {12000, 1000}, {12000, 3000}, {10500, 3000}}};
+  const std::vector<Vec3> points = points_on_house(0.3, -0.4);
+  ShiftCounts counts;
+  count_shifts(points, std::vector<SitePolygon>{court, beside}, counts);
+  const auto covered = [](double x, double y) {
+    const bool in_house = x > 0 && x < 10 && y > 0 && y<8, in_court = x> 3 && x < 7 && y > 2 && y < 6;
+    return (in_house && !in_court) || (x > 10.5 && x < 12 && y > 1 && y < 3);
+  };
+  for (const int dy : {-kShiftReach, -3, 0, 5, kShiftReach})
+    for (const int dx : {-kShiftReach, -1, 0, 2, kShiftReach}) {
+      std::uint64_t expected = 0;
+      for (const Vec3& p : points)
+        expected += covered((std::floor(p.x / kShiftStep) - dx + 0.5) * kShiftStep,
+                            (std::floor(p.y / kShiftStep) - dy + 0.5) * kShiftStep);
+      EXPECT_EQ(counts.inside[static_cast<std::size_t>((dy + kShiftReach) * kShifts + dx + kShiftReach)], expected)
+          << dx << ", " << dy;
+    }
 }
 
 TEST(Misalignment, WithoutPointsNothingIsKnown) {
