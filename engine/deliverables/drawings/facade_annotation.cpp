@@ -212,10 +212,37 @@ std::vector<double> spread(const std::vector<double>& wanted, double pitch) {
   return places;
 }
 
-bool has_level(const FacadeElement& e) {
+// The box around the outlines of the walls; that of the plan where no outline is drawn.
+FlatBox box_of_outlines(const Facade& facade, std::span<const FlatElement> flat, const FlatBox& plan) {
+  FlatBox box = FlatBox::none();
+  for (std::size_t i = 0; i < flat.size(); ++i)
+    if (facade.elements[i].kind == "outline" && !flat[i].corners.empty()) box.add_box(flat[i].box);
+  return box.is_empty() ? plan : box;
+}
+
+// Whether an element is a wall of the house above or below the outline: the front of a dormer, a storey that stands
+// back or out.
+bool is_further_wall(const FacadeElement& e, const FlatElement& flat, const FlatBox& outlines) {
+  if (flat.corners.empty() || e.status == DrawnStatus::occluded) return false;
+  const bool storey = e.kind == "recess" || e.kind == "protrusion";
+  const double middle = flat.box.middle().y;
+  return e.kind == "dormer" || (storey && (middle > outlines.max.y || middle < outlines.min.y));
+}
+
+// The box of all that is wall: what lies beside it or on it has no part in the overall sizes.
+FlatBox box_of_walls(const Facade& facade, std::span<const FlatElement> flat, const FlatBox& plan) {
+  const FlatBox outlines = box_of_outlines(facade, flat, plan);
+  FlatBox box = outlines;
+  for (std::size_t i = 0; i < flat.size(); ++i)
+    if (is_further_wall(facade.elements[i], flat[i], outlines)) box.add_box(flat[i].box);
+  return box;
+}
+
+bool has_level(const FacadeElement& e, const FlatElement& flat, const FlatBox& outlines) {
   const DrawingRole role = role_of_kind(e.kind);
   return e.status != DrawnStatus::occluded &&
-         (is_opening(e) || role == DrawingRole::outline || role == DrawingRole::band || role == DrawingRole::balcony);
+         (is_opening(e) || role == DrawingRole::outline || role == DrawingRole::band || role == DrawingRole::balcony ||
+          is_further_wall(e, flat, outlines));
 }
 
 struct Height {
@@ -271,8 +298,9 @@ void add_numbers(const Facade& facade, std::span<const FlatElement> flat, Drawin
 
 void add_levels(const Facade& facade, std::span<const FlatElement> flat, const FlatBox& plan, Drawing& drawing) {
   std::vector<Height> heights;
+  const FlatBox outlines = box_of_outlines(facade, flat, plan);
   for (std::size_t i = 0; i < flat.size(); ++i)
-    if (has_level(facade.elements[i]) && !flat[i].corners.empty()) {
+    if (has_level(facade.elements[i], flat[i], outlines) && !flat[i].corners.empty()) {
       const bool outline = facade.elements[i].kind == "outline";
       heights.insert(heights.end(), {{flat[i].box.min.y, outline}, {flat[i].box.max.y, outline}});
       if (outline)  // feet of gables, steps
@@ -284,7 +312,9 @@ void add_levels(const Facade& facade, std::span<const FlatElement> flat, const F
   for (std::size_t i = 0; i < heights.size();) {
     std::size_t end = i;
     while (end < heights.size() && heights[end].y - heights[i].y <= same) ++end;
-    levels.push_back(level_of(std::span(heights).subspan(i, end - i), drawing));
+    const double level = level_of(std::span(heights).subspan(i, end - i), drawing);
+    if (levels.empty() || in_centimetres(levels.back(), drawing) != in_centimetres(level, drawing))
+      levels.push_back(level);
     i = end;
   }
   const std::vector<double> places = spread(levels, 1.5 * height);
@@ -309,7 +339,8 @@ void add_dimensions(const Facade& facade, std::span<const FlatElement> flat, con
   }
   const double least = drawing.paper_mm(kSameLevel), offset = drawing.paper_mm(kOffset),
                step = drawing.paper_mm(kChain);
-  const Extent wide{plan.min.x, plan.max.x}, tall{plan.min.y, plan.max.y};
+  const FlatBox walls = box_of_walls(facade, flat, plan);
+  const Extent wide{walls.min.x, walls.max.x}, tall{walls.min.y, walls.max.y};
   const auto picked = [](const std::vector<Extent>& from, const std::vector<std::size_t>& group) {
     std::vector<Extent> chosen;
     for (const std::size_t i : group) chosen.push_back(from[i]);

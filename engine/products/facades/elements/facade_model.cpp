@@ -9,6 +9,7 @@
 #include "engine/products/facades/elements/depth_image.h"
 #include "engine/products/facades/elements/element_kinds.h"
 #include "engine/products/facades/elements/facade_elements.h"
+#include "engine/products/facades/elements/outside_wall.h"
 #include "engine/products/facades/elements/slices.h"
 #include "engine/products/facades/leaves/flat_plates.h"
 #include "engine/products/facades/leaves/inset_leaves.h"
@@ -290,6 +291,9 @@ FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, F
   }
   drop_openings_within(candidates);
   move_possible(candidates, unseen);
+  const WallOutline outline = sparse.step > 0 ? outline_of_all(sparse) : wall_outline(samples, params.outline);
+  drop_elements_outside(box_of(outline.ring), candidates);
+  cut_at_wall(box_of(outline.ring), unseen);
   group_elements(candidates, params.regular);
   find_ends(candidates, samples, params.concurrency);
   std::sort(candidates.begin(), candidates.end(), comes_before);
@@ -301,7 +305,6 @@ FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, F
   f.right = site.axes.right;
   f.up = site.axes.up;
   f.out = site.axes.out;
-  const WallOutline outline = sparse.step > 0 ? outline_of_all(sparse) : wall_outline(samples, params.outline);
   if (steps != nullptr) {
     steps->drawn = candidates;
     steps->irregular = irregular;

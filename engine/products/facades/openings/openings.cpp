@@ -371,7 +371,7 @@ std::vector<FoundRectangle> find_openings(const RaySamples& samples, const Openi
       });
   add_shallow_openings(find_shallow_openings(samples, seen, params), found);
   join_panes(cells.cell, found);
-  if (unseen != nullptr) *unseen = unseen_areas(holes, found, cells, params.least_size);
+  if (unseen != nullptr) *unseen = unseen_areas(holes, found, seen, silent, params.least_size);
   return found;
 }
 

@@ -8,17 +8,22 @@
 namespace ilot {
 namespace {
 
+// Derived: cells have four points, so 64 are expected in such a square; where a wall is nine times as sparse, seven, and
+// none is there by chance once in a thousand.
+constexpr std::int64_t kLeastSide = 4;  // cells along the side of a square in which nothing was seen
+
+using enum WallCells::What;
+
 bool in_opening(const std::vector<FoundRectangle>& found, const WallCells& cells, std::int64_t cell) {
   const Place2 middle{(static_cast<double>(cell % cells.columns) + 0.5) * cells.cell,
                       (static_cast<double>(cell / cells.columns) + 0.5) * cells.cell};
   return std::any_of(found.begin(), found.end(), [&](const FoundRectangle& o) { return o.box().contains(middle); });
 }
 
-// The parts of cells in which a square of `least_size` has room.
-std::vector<UnseenArea> areas_of_cells(const std::vector<bool>& wanted, const WallCells& cells, double least_size) {
+// The parts of cells in which a square of `side` cells has room.
+std::vector<UnseenArea> areas_of_cells(const std::vector<bool>& wanted, const WallCells& cells, std::int64_t side) {
   std::vector<bool> obstacles = wanted;
   obstacles.flip();
-  const auto side = std::max<std::int64_t>(1, static_cast<std::int64_t>(least_size / cells.cell));
   const std::vector<bool> wide = covered_by_squares(cells, obstacles, side, 0);
   std::vector<UnseenArea> areas;
   for_each_region(
@@ -32,23 +37,49 @@ std::vector<UnseenArea> areas_of_cells(const std::vector<bool>& wanted, const Wa
   return areas;
 }
 
+// The highest cell of the wall in each column; -1 where there is none. Above it may be the sky.
+std::vector<std::int64_t> tops_of(const WallCells& cells) {
+  std::vector<std::int64_t> tops(static_cast<std::size_t>(cells.columns), -1);
+  for (std::int64_t r = 0; r < cells.rows; ++r)
+    for (std::int64_t c = 0; c < cells.columns; ++c)
+      if (cells.at(c, r) == kSolid) tops[static_cast<std::size_t>(c)] = r;
+  return tops;
+}
+
+// Marks what is bare below the top of the wall: cells of no opening and no known area in which neither the wall nor
+// anything behind it was seen.
+void mark_bare(const WallCells& cells, const std::vector<bool>& silent, const std::vector<bool>& known,
+               const std::vector<FoundRectangle>& found, std::vector<bool>& bare) {
+  const std::vector<std::int64_t> tops = tops_of(cells);
+  for (std::size_t i = 0; i < bare.size(); ++i) {
+    const auto at = static_cast<std::int64_t>(i);
+    if (cells.what[i] != kUnknown && cells.what[i] != kBlocked && !silent[i]) continue;
+    if (known[i] || at / cells.columns > tops[i % static_cast<std::size_t>(cells.columns)]) continue;
+    if (!in_opening(found, cells, at)) bare[i] = true;
+  }
+}
+
 }  // namespace
 
 std::vector<UnseenArea> unseen_areas(const std::vector<WallHole>& holes, const std::vector<FoundRectangle>& found,
-                                     const WallCells& cells, double least_size) {
+                                     const WallCells& cells, const std::vector<bool>& silent, double least_size) {
   std::vector<UnseenArea> areas;
-  std::vector<bool> left(cells.what.size(), false);
+  std::vector<bool> left(cells.what.size(), false), known(left), bare(left);
   for (const WallHole& hole : holes) {
     std::vector<std::uint32_t> outside;
     for (const std::uint32_t i : hole.region.cells)
       if (!in_opening(found, cells, i)) outside.push_back(i);
-    if (outside.size() == hole.region.cells.size())
-      areas.push_back(area_of(hole, cells));
-    else
-      for (const std::uint32_t i : outside)
-        left[i] = 2 * outside.size() > hole.region.cells.size() || !hole.shows(i, cells.columns);
+    const bool whole = outside.size() == hole.region.cells.size();
+    if (whole) areas.push_back(area_of(hole, cells));
+    for (const std::uint32_t i : outside)
+      if (whole || 2 * outside.size() > hole.region.cells.size() || !hole.shows(i, cells.columns))
+        (whole ? known : left)[i] = true;
   }
-  for (UnseenArea& area : areas_of_cells(left, cells, least_size)) areas.push_back(std::move(area));
+  const auto side = std::max<std::int64_t>(1, static_cast<std::int64_t>(least_size / cells.cell));
+  for (UnseenArea& area : areas_of_cells(left, cells, side)) areas.push_back(std::move(area));
+  for (std::size_t i = 0; i < known.size(); ++i) known[i] = known[i] || left[i];
+  mark_bare(cells, silent, known, found, bare);
+  for (UnseenArea& area : areas_of_cells(bare, cells, std::max(side, kLeastSide))) areas.push_back(std::move(area));
   return areas;
 }
 

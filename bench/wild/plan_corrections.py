@@ -1,0 +1,227 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Counts what a draughtsman would correct on the plans of facades, by kind, over results of `ilot run --products facades`.
+
+  bench/wild/plan_corrections.py RESULT [CLOUD.csv|CLOUD.npy] [TRUTH.json] ...  (--list: every place)
+
+Each RESULT is a folder of a run; the cloud (columns x, y, z; `ilot convert`) and the truth that follow it belong to it.
+
+  openings missing, in vain   with a truth: no drawn one, or no true one, has an intersection over union of half with it
+  bare drawn as wall          with a cloud: squares of half a metre inside the outline in which no point lies from 1 m behind
+                              the wall to 15 cm before it, and which no element covers; counted as patches, and in square metres
+  beyond the wall             elements of which more than 2 cm lies past the left or right end of the outline, hatched ones apart
+  opening over the outline    a corner of an opening is more than 2 cm outside of the outline
+  wrong overall size          a chain gives a size that is not that of the walls drawn (outline, dormers, walls above it)
+  no level                    the top of a wall drawn above the outline has no level
+  level twice                 two levels with the same text
+  text over text              boxes of texts of the plan overlap
+  notch                       the outline has a gap between higher stretches
+Needs numpy."""
+import argparse
+import collections
+import json
+import pathlib
+import re
+import sys
+
+import numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from facade_frame import in_axes, overlap  # noqa: E402
+
+SIDE, PAST, BEHIND, BEFORE = 0.5, 0.02, 1.0, 0.15  # metres
+WALLS_ABOVE = ("recess", "protrusion", "dormer")
+
+
+def box(places):
+    us, vs = [p[0] for p in places], [p[1] for p in places]
+    return min(us), max(us), min(vs), max(vs)
+
+
+def contains(ring, u, v):
+    """Whether each place lies in the ring; u and v are arrays."""
+    inside = numpy.zeros(u.shape, bool)
+    for a, b in zip(ring, ring[1:] + ring[:1]):
+        if a[1] != b[1]:
+            inside ^= ((a[1] > v) != (b[1] > v)) & (u < a[0] + (b[0] - a[0]) * (v - a[1]) / (b[1] - a[1]))
+    return inside
+
+
+def distance_outside(ring, place):
+    if contains(ring, numpy.array([place[0]]), numpy.array([place[1]]))[0]:
+        return 0
+    best = 1e9
+    for a, b in zip(ring, ring[1:] + ring[:1]):
+        d = numpy.array(b[:2]) - a[:2]
+        t = numpy.clip(numpy.dot(numpy.array(place[:2]) - a[:2], d) / max(1e-12, numpy.dot(d, d)), 0, 1)
+        best = min(best, float(numpy.hypot(*(numpy.array(place[:2]) - a[:2] - t * d))))
+    return best
+
+
+def opened(mask, n):
+    """What squares of n cells of the mask cover."""
+    sums = numpy.pad(mask.astype(int).cumsum(0).cumsum(1), ((1, 0), (1, 0)))
+    if mask.shape[0] < n or mask.shape[1] < n:
+        return numpy.zeros_like(mask)
+    full = sums[n:, n:] - sums[:-n, n:] - sums[n:, :-n] + sums[:-n, :-n] == n * n
+    covered = numpy.zeros_like(mask)
+    for dr in range(n):
+        for dc in range(n):
+            covered[dr:dr + full.shape[0], dc:dc + full.shape[1]] |= full
+    return covered
+
+
+def patches(mask):
+    todo, found = {tuple(i) for i in numpy.argwhere(mask)}, []
+    while todo:
+        first = min(todo)
+        part, heap = [], [first]
+        todo.discard(first)
+        while heap:
+            r, c = heap.pop()
+            part.append((r, c))
+            for near in ((r + 1, c), (r - 1, c), (r, c + 1), (r, c - 1)):
+                if near in todo:
+                    todo.discard(near)
+                    heap.append(near)
+        found.append(part)
+    return found
+
+
+def bare_places(frame, rings, cloud):
+    """Patches of the wall without points which no element covers: (u, v, square metres)."""
+    axes = numpy.array([frame["right"], frame["up"], frame["out"]]).T
+    flat = (cloud - numpy.array(frame["origin"])) @ axes
+    u0, u1, v0, v1 = box(rings[0])
+    near = flat[(flat[:, 2] > -BEHIND) & (flat[:, 2] < BEFORE) & (flat[:, 0] > u0) & (flat[:, 0] < u1) & (flat[:, 1] > v0) &
+                (flat[:, 1] < v1)]
+    if len(near) < 100:
+        return []
+    cell = 0.1
+    rows, columns = int((v1 - v0) / cell), int((u1 - u0) / cell)
+    if rows < 5 or columns < 5:
+        return []
+    bare = numpy.ones((rows, columns), bool)
+    r = numpy.clip(((near[:, 1] - v0) / cell).astype(int), 0, rows - 1)
+    c = numpy.clip(((near[:, 0] - u0) / cell).astype(int), 0, columns - 1)
+    bare[r, c] = False
+    u, v = numpy.meshgrid(u0 + (numpy.arange(columns) + 0.5) * cell, v0 + (numpy.arange(rows) + 0.5) * cell)
+    bare &= contains(rings[0], u, v)
+    bare = opened(bare, round(SIDE / cell))
+    for ring in rings[1:]:
+        bare &= ~contains(ring, u, v)
+    left = opened(bare, round(SIDE / cell))
+    return [(u0 + p[0][1] * cell, v0 + p[0][0] * cell, len(p) * cell * cell) for p in patches(left)]
+
+
+def texts_of(svg):
+    """(role, text, x, y, size, turned, anchor) of each text of the sheet."""
+    role, found = "", []
+    for line in svg.read_text().splitlines():
+        layer = re.search(r'data-layer="([^"]*)"', line)
+        role = layer.group(1) if layer else role
+        for a, words in re.findall(r"<text ([^>]*)>([^<]*)</text>", line):
+            value = dict(re.findall(r'([\w-]+)="([^"]*)"', a))
+            found.append((role, words, value))
+    return found
+
+
+def judge(result, cloud, truth, counts, listed):
+    for path in sorted((result / "facades").glob("facade-*.json")):
+        facade = json.loads(path.read_text())
+        frame = facade["frame"]
+        elements = [(e, [in_axes(frame, p) for p in e["ring"]]) for e in facade["elements"] if e.get("ring")]
+        if not elements or elements[0][0]["kind"] != "outline":
+            continue
+        def note(kind, what="", size=1):
+            counts[kind] += size
+            listed.append(f"{result} {path.stem}: {kind} {what}")
+        counts["plans"] += 1
+        outline = elements[0][1]
+        u0, u1, v0, v1 = box(outline)
+        walls = [outline]
+        for e, ring in elements[1:]:
+            b = box(ring)
+            if e.get("region") == "irregularity":
+                continue
+            if e["kind"] in WALLS_ABOVE and (b[2] >= v1 - 0.1 or b[3] <= v0 + 0.1):
+                walls.append(ring)
+            past = max(u0 - b[0], b[1] - u1)
+            if past > PAST:
+                note("beyond the wall, " + ("hatched" if e["status"] == "occluded" else "drawn"), f"{e['id']} {e['kind']} {past:.2f}")
+            if e["opening"] and e["status"] != "occluded" and (b[2] + b[3]) / 2 < v1 and max(distance_outside(outline, p) for p in ring) > PAST:
+                note("opening over the outline", f"{e['id']}")
+        if cloud is not None:
+            covers = [r for e, r in elements[1:] if e.get("region") != "irregularity"]
+            for u, v, size in bare_places(frame, [outline, *covers], cloud):
+                note("bare drawn as wall", f"at {u:.1f} {v:.1f}: {size:.2f} m2")
+                counts["bare drawn as wall, m2"] += size
+        tops = sorted(p[1] for p in outline)
+        if any(tops[-1] - q[1] > 0.3 and max(p[1] for p in outline[:k + 1]) - q[1] > 0.3 and
+               any(p[0] < q[0] - 0.05 and p[1] > q[1] + 0.3 for p in outline) and
+               any(p[0] > q[0] + 0.05 and p[1] > q[1] + 0.3 for p in outline) for k, q in enumerate(outline) if q[1] > v0 + 0.3):
+            note("notch")
+        texts = texts_of(path.with_suffix(".svg"))
+        level = collections.Counter(t for r, t, _ in texts if "LEVEL" in r)
+        for t, n in level.items():
+            if n > 1:
+                note("level twice", t)
+        heights = [float(t.replace(",", ".")) for t in level]
+        z = frame["origin"][2]
+        for ring in walls[1:]:
+            top = z + box(ring)[3]
+            if not heights or min(abs(h - top) for h in heights) > 0.03:
+                note("no level", f"{top:.2f}")
+        sizes = [float(t.replace(",", ".")) for r, t, _ in texts if "DIM" in r and re.fullmatch(r"[\d.,]+", t)]
+        wide, tall = max(box(w)[1] for w in walls) - min(box(w)[0] for w in walls), max(box(w)[3] for w in walls) - min(box(w)[2] for w in walls)
+        for size in (wide, tall):
+            if sizes and min(abs(s - size) for s in sizes) > 0.011:
+                note("wrong overall size", f"{size:.2f}")
+        boxes = []
+        for role, words, value in texts:
+            if not any(k in role for k in ("LEVEL", "DIM", "TEXT")) or "x" not in value:
+                continue
+            size = float(re.sub("[a-z]", "", value.get("font-size", "0")) or 0)
+            boxes.append((float(value["x"]), float(value["y"]), size, len(words), value.get("text-anchor", ""), "rotate" in value.get("transform", ""), words))
+        counts["texts"] += len(boxes)
+        if truth is not None:
+            true = []
+            for o in truth["openings"]:
+                ring = [in_axes(frame, p) for p in o["ring"]]
+                b = box(ring)
+                if max(abs(p[2]) for p in ring) < 0.6 and b[0] < u1 and b[1] > u0 and b[2] < v1:
+                    true.append(b)
+            drawn = [box(r) for e, r in elements if e["opening"] and e["status"] != "occluded"]
+            for b in true:
+                if max([overlap(b, d) for d in drawn], default=0) < 0.5:
+                    note("opening missing", " ".join(f"{x:.2f}" for x in b))
+            for d in drawn:
+                if max([overlap(b, d) for b in true], default=0) < 0.5:
+                    note("opening in vain", " ".join(f"{x:.2f}" for x in d))
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="bench/wild/plan_corrections.py", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("paths", nargs="+", type=pathlib.Path)
+    parser.add_argument("--list", action="store_true")
+    options = parser.parse_args()
+    runs = []
+    for path in options.paths:
+        if path.suffix == ".json":
+            runs[-1][2] = json.loads(path.read_text())
+        elif path.suffix in (".csv", ".npy"):
+            runs[-1][1] = numpy.load(path) if path.suffix == ".npy" else numpy.loadtxt(path, delimiter=",", skiprows=1, usecols=(0, 1, 2))
+        else:
+            runs.append([path, None, None])
+    counts, listed = collections.Counter(), []
+    for result, cloud, truth in runs:
+        judge(result, cloud, truth, counts, listed)
+    for kind in sorted(counts):
+        print(f"{kind}: {counts[kind]:.1f}" if isinstance(counts[kind], float) else f"{kind}: {counts[kind]}")
+    if options.list:
+        print("\n".join(listed))
+
+
+if __name__ == "__main__":
+    main()
