@@ -10,6 +10,7 @@
 #include "engine/pass/resident.h"
 #include "engine/products/facades/elements/facade_elements.h"
 #include "engine/products/facades/elements/facade_model.h"
+#include "engine/products/facades/elements/outside_wall.h"
 #include "engine/products/facades/facade_drawings.h"
 #include "engine/products/facades/facade_edit_step.h"
 #include "engine/products/facades/facade_gathering.h"
@@ -176,6 +177,7 @@ void join_facades(std::vector<FoundFacade>& found, std::span<const WallGroup> sm
   joints.most_step = advanced.storey_step;
   joints.metres_per_unit = metres_per_unit;
   close_corners(facades, joints);
+  for (Facade& f : facades) cut_unseen_at_outline(f, metres_per_unit);
   add_storey_steps(facades, joints);
   for (std::size_t i = 0; i < found.size(); ++i) found[i].facade = std::move(facades[i]);
 }

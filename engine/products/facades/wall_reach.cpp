@@ -151,6 +151,7 @@ std::uint64_t bytes_of_sparse_parts(const FacadeWork& work, const WallGroup& wal
 SparseFindings sparse_findings(const FacadeWork& work, const WallGroup& wall, const OpeningParams& params) {
   SparseFindings all;
   all.box = grown_box(wall);
+  bool goes_up = false;
   for (const SparsePart& part : wall.sparse) {
     const GatheredFacade gathered = gather_facade(work, group_of_part(wall, part, work.metres_per_unit));
     const RaySamples samples(gathered.site, gathered.points, {work.store.folder()}, gathered.far);
@@ -170,8 +171,13 @@ SparseFindings sparse_findings(const FacadeWork& work, const WallGroup& wall, co
       const Place2 middle{(box.u0 + box.u1) / 2, (box.v0 + box.v1) / 2};
       if (Box2{part.u0, part.u1, part.v0, part.v1}.contains(middle)) all.unseen.push_back(std::move(area));
     }
+    if (part.upright)
+      for (SparseColumn& c : sparse_columns(samples, part.u0 - u, part.u1 - u))
+        all.columns.push_back({c.u0 + u, c.u1 + u, c.top + v});
+    goes_up |= !part.upright;
     all.step = std::max(all.step, part.step);
   }
+  if (goes_up) all.columns.clear();
   return all;
 }
 

@@ -174,14 +174,11 @@ std::vector<ShutterLeaf> leaves_of(const RaySamples& samples, const FlatPlates& 
   return leaves;
 }
 
-// The box of the wall and its sparse parts. Along their ends there are points, as far apart as in the sparsest part.
-WallOutline outline_of_all(const SparseFindings& sparse) {
-  const Box2& b = sparse.box;
-  WallOutline outline{{{b.u0, b.v0}, {b.u1, b.v0}, {b.u1, b.v1}, {b.u0, b.v1}}, {}};
-  FacadeEdge edge;
-  edge.error_m = sparse.step;
-  outline.edges.assign(outline.ring.size(), edge);
-  return outline;
+// The outline of the wall, with its sparse parts.
+WallOutline outline_of(const RaySamples& samples, const FacadeParams& params, const SparseFindings& sparse) {
+  WallOutline dense = wall_outline(samples, params.outline);
+  if (sparse.step == 0) return dense;
+  return outline_with_columns(dense, samples.site().width, sparse.columns, sparse.box, sparse.step);
 }
 
 std::vector<ElementCandidate> candidates_of(const RaySamples& samples, const FacadeParams& params,
@@ -291,9 +288,8 @@ FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, F
   }
   drop_openings_within(candidates);
   move_possible(candidates, unseen);
-  const WallOutline outline = sparse.step > 0 ? outline_of_all(sparse) : wall_outline(samples, params.outline);
+  const WallOutline outline = outline_of(samples, params, sparse);
   drop_elements_outside(box_of(outline.ring), candidates);
-  cut_at_wall(box_of(outline.ring), unseen);
   group_elements(candidates, params.regular);
   find_ends(candidates, samples, params.concurrency);
   std::sort(candidates.begin(), candidates.end(), comes_before);

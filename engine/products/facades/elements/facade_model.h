@@ -9,6 +9,7 @@
 #include "engine/products/facades/elements/relief.h"
 #include "engine/products/facades/facade_site.h"
 #include "engine/products/facades/openings/openings.h"
+#include "engine/products/facades/walls/sparse_outline.h"
 #include "engine/products/facades/walls/wall_outline.h"
 
 namespace ilot {
@@ -45,8 +46,9 @@ struct FacadeSteps {
 struct SparseFindings {
   std::vector<FoundRectangle> openings;
   std::vector<UnseenArea> unseen;
-  Box2 box;         // the wall with these parts
-  double step = 0;  // metres between the points of the sparsest part; 0: the wall has no such part
+  std::vector<SparseColumn> columns;  // of the parts beside the wall; none where the wall goes on above it
+  Box2 box;                           // the wall with these parts
+  double step = 0;                    // metres between the points of the sparsest part; 0: the wall has no such part
 };
 
 // Whether an opening has more than half of its area, or of this box, in common with the box.
@@ -54,8 +56,8 @@ bool shares_area(const Box2& box, const std::vector<FoundRectangle>& openings);
 
 // Finds the outline of the wall first, then its openings and relief. These get a kind, are brought into rows and
 // families, and are completed where shadows hid them. The order of the points of the site does not change the result.
-// Openings of sparse parts are added to those of the wall, and the outline is then the box of all. Fills `steps` where
-// they are given. O(n log n).
+// Openings of sparse parts are added to those of the wall, and the outline then contains these parts. Fills `steps`
+// where they are given. O(n log n).
 FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params = {}, FacadeSteps* steps = nullptr,
                         const SparseFindings& sparse = {});
 

@@ -2,6 +2,7 @@
 #include "engine/products/facades/elements/outside_wall.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ilot {
 namespace {
@@ -13,20 +14,50 @@ bool is_opening_or_leaf(ElementKind kind) {
   return kind == ElementKind::window || kind == ElementKind::door || kind == ElementKind::shutter;
 }
 
+// Derived: coordinates are written to a tenth of a millimetre.
+constexpr double kRounding = 1e-4;  // metres
+
+bool is_unseen(const FacadeElement& e) {
+  return e.status == DrawnStatus::occluded && (e.kind == "possible opening" || e.kind == "not seen");
+}
+
 bool may_be_below(ElementKind kind) {
   return kind == ElementKind::recess || kind == ElementKind::protrusion;
 }
 
-// Removes corners that lie on the line between their neighbours, and repeated ones.
-void drop_needless_corners(std::vector<Place2>& ring) {
-  for (bool more = true; more && ring.size() > 2;) {
-    more = false;
-    for (std::size_t i = 0; i < ring.size() && ring.size() > 2; ++i) {
-      const Place2 &a = ring[(i + ring.size() - 1) % ring.size()], &b = ring[i], &c = ring[(i + 1) % ring.size()];
-      if ((a.u != b.u || b.u != c.u) && (a.v != b.v || b.v != c.v)) continue;
-      ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
-      more = true;
-      break;
+Place2 local(const Facade& f, Vec3 place, double metres) {
+  const Vec3 d = metres * (place - f.origin);
+  return {dot(d, f.right), dot(d, f.up)};
+}
+
+Box2 local_box(const Facade& f, const FacadeElement& e, double metres) {
+  std::vector<Place2> ring;
+  for (const Vec3& p : e.ring) ring.push_back(local(f, p, metres));
+  return box_of(ring);
+}
+
+// Moves the corners of a ring that are outside of a box to its border.
+void cut_ring(const Facade& f, const Box2& wall, double metres, FacadeElement& e) {
+  for (Vec3& p : e.ring) {
+    const Place2 at = local(f, p, metres);
+    const double u = std::clamp(at.u, wall.u0, wall.u1) - at.u, v = std::clamp(at.v, wall.v0, wall.v1) - at.v;
+    if (u != 0 || v != 0) p = p + (u / metres) * f.right + (v / metres) * f.up;
+  }
+}
+
+// Removes the corners between two edges that lie on one line, with the second of these edges.
+void drop_needless_corners(const Facade& f, double metres, FacadeElement& e) {
+  for (std::size_t i = 0; i < e.ring.size() && e.ring.size() > 2;) {
+    const std::size_t n = e.ring.size();
+    const Place2 a = local(f, e.ring[(i + n - 1) % n], metres), b = local(f, e.ring[i], metres),
+                 c = local(f, e.ring[(i + 1) % n], metres);
+    const auto same = [](double x, double y) { return std::abs(x - y) < kRounding; };
+    if ((same(a.u, b.u) && same(b.u, c.u)) || (same(a.v, b.v) && same(b.v, c.v))) {
+      e.ring.erase(e.ring.begin() + static_cast<std::ptrdiff_t>(i));
+      if (i < e.edges.size()) e.edges.erase(e.edges.begin() + static_cast<std::ptrdiff_t>(i));
+      i = i > 1 ? i - 2 : 0;
+    } else {
+      ++i;
     }
   }
 }
@@ -42,16 +73,22 @@ void drop_elements_outside(const Box2& wall, std::vector<ElementCandidate>& cand
   });
 }
 
-void cut_at_wall(const Box2& wall, std::vector<UnseenArea>& areas) {
-  for (UnseenArea& area : areas) {
-    for (Place2& p : area.ring) p = {std::clamp(p.u, wall.u0, wall.u1), std::clamp(p.v, wall.v0, wall.v1)};
-    drop_needless_corners(area.ring);
-  }
-  std::erase_if(areas, [](const UnseenArea& area) {
-    if (area.ring.size() < 3) return true;
-    const Box2 box = box_of(area.ring);
-    return std::min(box.width(), box.height()) < area.error;
+void cut_unseen_at_outline(Facade& facade, double metres_per_unit) {
+  const auto outline = std::find_if(facade.elements.begin(), facade.elements.end(),
+                                    [](const FacadeElement& e) { return e.kind == "outline" && !e.ring.empty(); });
+  if (outline == facade.elements.end()) return;
+  const Box2 wall = local_box(facade, *outline, metres_per_unit);
+  std::erase_if(facade.elements, [&](FacadeElement& e) {
+    if (!is_unseen(e)) return false;
+    const Box2 before = local_box(facade, e, metres_per_unit);
+    if (wall.contains({before.u0, before.v0}) && wall.contains({before.u1, before.v1})) return false;
+    cut_ring(facade, wall, metres_per_unit, e);
+    drop_needless_corners(facade, metres_per_unit, e);
+    const Box2 box = local_box(facade, e, metres_per_unit);
+    e.width_m = box.width(), e.height_m = box.height();
+    return e.ring.size() < 3 || std::min(box.width(), box.height()) < kRounding;
   });
+  for (std::uint32_t i = 0; i < facade.elements.size(); ++i) facade.elements[i].id = i + 1;
 }
 
 }  // namespace ilot

@@ -3,17 +3,18 @@
 #pragma once
 #include <vector>
 
+#include "engine/model/facade.h"
 #include "engine/products/facades/elements/regular_facade.h"
-#include "engine/products/facades/openings/silent_holes.h"
 
 namespace ilot {
 
-// Drops relief of which most lies beyond an end of the wall, and relief below its foot: that of a neighbour, which has a
-// plan of its own, or a kerb. Openings and their leaves stay, since a wall may end too early; so do parts of the house
-// above and below the wall (eaves, recesses and protrusions). O(n).
+// Drops relief of which most lies beyond an end of the wall, and relief below its foot: that of a neighbour, which has
+// a plan of its own, or a kerb. Openings and their leaves stay, since a wall may end too early; so do parts of the
+// house above and below the wall (eaves, recesses and protrusions). O(n).
 void drop_elements_outside(const Box2& wall, std::vector<ElementCandidate>& candidates);
 
-// Cuts areas at the box of the wall, and drops those of which nothing wider than their error is left. O(corners).
-void cut_at_wall(const Box2& wall, std::vector<UnseenArea>& areas);
+// Cuts what is drawn as not seen or as a possible opening at the box of the outline, drops what is left without width
+// or height, and numbers the elements again. To be called when the ends of the outline are known. O(corners).
+void cut_unseen_at_outline(Facade& facade, double metres_per_unit);
 
 }  // namespace ilot

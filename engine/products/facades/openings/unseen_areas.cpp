@@ -8,8 +8,8 @@
 namespace ilot {
 namespace {
 
-// Derived: cells have four points, so 64 are expected in such a square; where a wall is nine times as sparse, seven, and
-// none is there by chance once in a thousand.
+// Derived: cells have four points, so 64 are expected in such a square; where a wall is nine times as sparse, seven,
+// and none is there by chance once in a thousand.
 constexpr std::int64_t kLeastSide = 4;  // cells along the side of a square in which nothing was seen
 
 using enum WallCells::What;

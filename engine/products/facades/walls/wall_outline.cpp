@@ -19,6 +19,16 @@ constexpr double kSteps = 2;  // steps between boundaries and their lines, at mo
 constexpr double kFree = 0.2;  // share of the place above an edge in which other parts may stand
 // Choice: five steps of 2 cm; time and detail of what is above an edge.
 constexpr double kCell = 0.1;  // metres; cell of that place
+// Derived: a majority; chimneys and what stands behind take less.
+constexpr double kWallGoesOn = 0.5;  // share of the columns above an edge in which there are points of the wall
+// Choice: the thickness of a roof, whose points lie in the plane of the gable below it.
+constexpr double kVergeAbove = 0.3;  // metres above an edge in which points say nothing of the wall
+// Choice: twice the largest cell of openings; sparse parts of walls have points in each.
+constexpr double kCoarse = 0.3;  // metres; width of these columns
+// Choice: one point may be a stray one.
+constexpr int kFewestAbove = 2;  // points of the wall in such a column
+// Derived: as where walls are followed to their sparse ends (wall_growth.h).
+constexpr double kBow = 3;  // epsilons by which a wall may be off its plane
 // Choice: lower ends are gables whose eaves are at the foot; they are drawn as a triangle.
 constexpr double kLeastSide = 0.3;  // metres; least height of the ends of the wall
 // Choice: as long as the shadow of a lamp; shorter ones are chance.
@@ -51,6 +61,11 @@ Wall wall_of(const FacadeSite& site) {
   return wall;
 }
 
+bool is_parallel(const FacadeSite& site, std::uint32_t plane) {
+  return std::binary_search(site.parallel.begin(), site.parallel.end(), ParallelPlane{plane, 0},
+                            [](const ParallelPlane& a, const ParallelPlane& b) { return a.id < b.id; });
+}
+
 // The share of the area between the line and the top of the wall in front of which there are points before the wall or
 // along it.
 double share_filled(const RaySamples& samples, const TopEdge& edge, double relief) {
@@ -60,14 +75,10 @@ double share_filled(const RaySamples& samples, const TopEdge& edge, double relie
   const auto rows = static_cast<std::int64_t>(std::ceil((site.height - bottom) / kCell));
   if (columns <= 0 || rows <= 0) return 0;
   std::vector<std::uint8_t> filled(static_cast<std::size_t>(columns * rows), 0);
-  const auto is_parallel = [&](std::uint32_t id) {
-    return std::binary_search(site.parallel.begin(), site.parallel.end(), ParallelPlane{id, 0},
-                              [](const ParallelPlane& a, const ParallelPlane& b) { return a.id < b.id; });
-  };
   for (const Ray& ray : samples.at_places({edge.u0, edge.u1, bottom, site.height})) {
     const FacadePoint& p = ray.at;
     if (p.u < edge.u0 || p.u >= edge.u1 || p.v >= site.height || p.w > relief) continue;
-    if (p.v < edge.line.height(p.u) + kCell || !(p.w > site.epsilon || is_parallel(p.plane))) continue;
+    if (p.v < edge.line.height(p.u) + kCell || !(p.w > site.epsilon || is_parallel(site, p.plane))) continue;
     const auto c = static_cast<std::int64_t>((p.u - edge.u0) / kCell);
     const auto r = static_cast<std::int64_t>((p.v - bottom) / kCell);
     if (c < columns && r >= 0 && r < rows) filled[static_cast<std::size_t>(r * columns + c)] = 1;
@@ -81,6 +92,29 @@ double share_filled(const RaySamples& samples, const TopEdge& edge, double relie
       of_these += filled[static_cast<std::size_t>(r * columns + c)];
     }
   return above > 0 ? of_these / above : 0;
+}
+
+// Whether the wall goes on above an edge: its points lie above most of it. The boundary of a plane ends where points
+// become too sparse for it, and what hides the wall cuts into it.
+bool goes_on_above(const RaySamples& samples, const TopEdge& edge) {
+  const FacadeSite& site = samples.site();
+  const auto height = [&](double u) { return edge.line.height(u) + kVergeAbove; };
+  std::vector<int> above(static_cast<std::size_t>(std::ceil((edge.u1 - edge.u0) / kCoarse)), 0);
+  for (const Ray& ray :
+       samples.at_places({edge.u0, edge.u1, std::min(height(edge.u0), height(edge.u1)), site.height})) {
+    const FacadePoint& p = ray.at;
+    if (p.u < edge.u0 || p.u >= edge.u1 || p.v < height(p.u) || p.v > site.height) continue;
+    if (!samples.on_wall(ray) && (std::abs(p.w) > kBow * site.epsilon || is_parallel(site, p.plane))) continue;
+    ++above[static_cast<std::size_t>((p.u - edge.u0) / kCoarse)];
+  }
+  int room = 0, filled = 0;
+  for (std::size_t i = 0; i < above.size(); ++i) {
+    const double u = edge.u0 + (static_cast<double>(i) + 0.5) * kCoarse;
+    if (site.height - height(u) < kCoarse) continue;
+    ++room;
+    filled += above[i] >= kFewestAbove;
+  }
+  return filled > kWallGoesOn * room;
 }
 
 double squared(double a) {
@@ -140,7 +174,7 @@ std::vector<TopEdge> edges_of(const RaySamples& samples, const Wall& wall, const
       edge.line.at = wall.top();
       edge.error = site.step;
     } else {
-      if (share_filled(samples, edge, params.relief) > kFree) continue;
+      if (share_filled(samples, edge, params.relief) > kFree || goes_on_above(samples, edge)) continue;
       fit(samples, wall, edge);
     }
     edges.push_back(edge);
@@ -172,11 +206,21 @@ void drop_gaps(std::vector<TopEdge>& edges, const Wall& wall) {
   }
 }
 
-TopEdge unknown_top(const Wall& wall, double u0, double u1) {
+// A stretch of which no line is known. It is as high as an edge beside it, the lower one first, where the wall is not
+// seen to go on above that and nothing hides it there; otherwise as high as the top of the wall.
+TopEdge unknown_top(const RaySamples& samples, const Wall& wall, double u0, double u1, std::vector<double> beside,
+                    double relief) {
   TopEdge edge;
-  edge.line.at = wall.top();
   edge.u0 = u0, edge.u1 = u1;
   edge.error = wall.site.step;
+  std::sort(beside.begin(), beside.end());
+  for (const double height : beside) {
+    edge.line.at = height;
+    if (height < wall.top() - kVergeAbove && !goes_on_above(samples, edge) &&
+        share_filled(samples, edge, relief) <= kFree)
+      return edge;
+  }
+  edge.line.at = wall.top();
   return edge;
 }
 
@@ -191,7 +235,8 @@ std::optional<double> meeting_of(const TopEdge& a, const TopEdge& b, double slac
 
 // Makes the edges cover the top from end to end without gaps. An edge is extended to where it meets the next one, to an
 // upright step, or to a part at the top of the wall of which nothing is known.
-std::vector<TopEdge> without_gaps(const std::vector<TopEdge>& edges, const Wall& wall, double least) {
+std::vector<TopEdge> without_gaps(const RaySamples& samples, const std::vector<TopEdge>& edges, const Wall& wall,
+                                  const WallOutlineParams& params) {
   const double slack = 4 * wall.cell;
   std::vector<TopEdge> closed;
   const auto take = [&](TopEdge edge) {
@@ -205,11 +250,18 @@ std::vector<TopEdge> without_gaps(const std::vector<TopEdge>& edges, const Wall&
   double end = 0;
   for (const TopEdge& edge : edges) {
     const bool meets = !closed.empty() && meeting_of(closed.back(), edge, slack);
-    if (!meets && edge.u0 - end > least) take(unknown_top(wall, end, edge.u0));
+    std::vector<double> beside{edge.line.height(edge.u0)};
+    if (!closed.empty() && closed.back().known) beside.push_back(closed.back().line.height(end));
+    if (!meets && edge.u0 - end > params.least_length)
+      take(unknown_top(samples, wall, end, edge.u0, beside, params.relief));
     take(edge);
     end = edge.u1;
   }
-  if (wall.site.width - end > least || closed.empty()) take(unknown_top(wall, end, wall.site.width));
+  if (wall.site.width - end > params.least_length || closed.empty()) {
+    std::vector<double> beside;
+    if (!closed.empty() && closed.back().known) beside.push_back(closed.back().line.height(end));
+    take(unknown_top(samples, wall, end, wall.site.width, beside, params.relief));
+  }
   for (std::size_t i = 0; i + 1 < closed.size(); ++i) {
     const double between = 0.5 * (closed[i].u1 + closed[i + 1].u0);
     const double corner = meeting_of(closed[i], closed[i + 1], slack).value_or(between);
@@ -316,7 +368,7 @@ WallOutline wall_outline(const RaySamples& samples, const WallOutlineParams& par
   const Wall wall = wall_of(site);
   std::vector<TopEdge> edges = edges_of(samples, wall, params);
   drop_gaps(edges, wall);
-  edges = without_gaps(std::move(edges), wall, params.least_length);
+  edges = without_gaps(samples, edges, wall, params);
   if (std::all_of(edges.begin(), edges.end(), [&](const TopEdge& e) { return at_top(e, wall); }))
     return rectangle_of(site);
   if (edges.front().line.height(0) < kLeastSide || edges.back().line.height(site.width) < kLeastSide)

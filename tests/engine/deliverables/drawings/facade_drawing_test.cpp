@@ -77,6 +77,29 @@ TEST(FacadeDrawing, NumbersLevelsAndChains) {
   EXPECT_EQ(sizes.at("2.00"), 2);  // between windows
 }
 
+// What lies beside the wall has no part in its sizes; a storey that stands back above it has, and its top has a level.
+TEST(FacadeDrawing, OverallSizesAreThoseOfWalls) {
+  std::vector<FacadeElement> elements{
+      drawn("outline", wall_rectangle(0, 0, 9, 10)), drawn("window", wall_rectangle(1, 1, 2, 2.5)),
+      drawn("possible opening", wall_rectangle(8, 1, 9.07, 2)), drawn("balcony", wall_rectangle(-0.4, 4, 2, 4.5)),
+      drawn("recess", wall_rectangle(3, 10, 6, 12.5))};
+  elements[2].status = DrawnStatus::occluded;
+  const Drawing drawing = facade_drawing(facade_of(elements));
+  const auto sizes = texts_of(drawing, DrawingRole::dimension);
+  EXPECT_EQ(sizes.count("9.00"), 1u);
+  EXPECT_EQ(sizes.count("12.50"), 1u);
+  EXPECT_EQ(texts_of(drawing, DrawingRole::level).count("12.50"), 1u);
+}
+
+// Heights that are written alike are one level, however they lie in groups of half a millimetre on paper.
+TEST(FacadeDrawing, NoLevelIsWrittenTwice) {
+  std::vector<FacadeElement> elements{drawn("outline", wall_rectangle(0, 0, 20, 12))};
+  const double tops[] = {8.2863, 8.3042, 8.3053, 8.3062, 8.3124, 8.3172};
+  for (int i = 0; i < 6; ++i) elements.push_back(drawn("window", wall_rectangle(3 * i + 1, 7, 3 * i + 2, tops[i])));
+  for (const auto& [words, times] : texts_of(facade_drawing(facade_of(elements)), DrawingRole::level))
+    EXPECT_EQ(times, 1) << words;
+}
+
 // What each dimension says is what it measures.
 TEST(FacadeDrawing, DimensionsMeasureWhatTheySay) {
   const Drawing drawing = facade_drawing(drawn_facade());

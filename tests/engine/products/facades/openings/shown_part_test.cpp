@@ -8,13 +8,13 @@ namespace {
 
 constexpr double kCell = 0.1;             // metres
 constexpr CellBox kHole{20, 49, 10, 49};  // 3 m by 4 m
-constexpr std::int64_t kColumns = 30, kRows = 40;
+constexpr std::int64_t kHoleColumns = 30, kHoleRows = 40;
 
 template <class Is>
 std::vector<bool> behind_where(const Is& is) {
   std::vector<bool> behind;
-  for (std::int64_t r = 0; r < kRows; ++r)
-    for (std::int64_t c = 0; c < kColumns; ++c) behind.push_back(is(c, r));
+  for (std::int64_t r = 0; r < kHoleRows; ++r)
+    for (std::int64_t c = 0; c < kHoleColumns; ++c) behind.push_back(is(c, r));
   return behind;
 }
 

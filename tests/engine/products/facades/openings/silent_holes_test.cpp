@@ -228,5 +228,21 @@ TEST(SilentHoles, WhatIsNotSeenEndsAtAnOpening) {
   EXPECT_GT(beside, 50) << "the wall beside the window";
 }
 
+// A board beside a large window was cut out of the cloud: less than half of the hole of both is not seen, and it is no
+// wall.
+TEST(SilentHoles, TheSmallerPartOfAHoleIsHatchedToo) {
+  test::ScannedWall wall;
+  wall.wall({{2, -0.25, 1.2, 3.6, 0.8, 2.8, 0}});
+  wall.sheets.push_back({2, 0.3, 3.5, 4.3, 1.4, 2.4, kNoEcho});
+  const FacadeSite site = test::scan_wall(wall, {2.4, 1.5, 8}, 0.0025, kNoEcho);
+  std::vector<UnseenArea> unseen;
+  const std::vector<FoundRectangle> found = find_openings(RaySamples(site), {}, nullptr, &unseen);
+  ASSERT_EQ(found.size(), 1u);
+  int beside = 0;
+  for (const UnseenArea& area : unseen)
+    for (double v = 1.5; v < 2.3; v += 0.1) beside += is_in_ring(area.ring, {3.95, v});
+  EXPECT_GT(beside, 5);
+}
+
 }  // namespace
 }  // namespace ilot

@@ -131,5 +131,23 @@ TEST(WallOutline, GapsAndObjectsBeforeTheWallAreNoSteps) {
   EXPECT_TRUE(outline_of(site).edges.empty());
 }
 
+// The ring of a plane ends where points become too sparse for it. Where the wall is seen to go on, this is no edge.
+TEST(WallOutline, TheWallGoesOnAboveWhereItsPlaneEnds) {
+  FacadeSite site = wall_under([](double) { return 5.0; });
+  for (Place2& p : site.rings[0])
+    if (p.v > 1) p.v = std::min(p.v, 5 - 0.7 * std::max(0.0, p.u - 2));
+  EXPECT_TRUE(outline_of(site).edges.empty());
+}
+
+// Between two edges of which something is known, the wall is no higher than the higher one, unless it is seen there.
+TEST(WallOutline, AnUnknownStretchIsNoTower) {
+  FacadeSite site = wall_under([](double u) { return u < 1.5 ? 5.0 : u < 3 || u > 4.5 ? 3.0 : 1.0; });
+  const WallOutline outline = outline_of(site);
+  for (const Place2& p : outline.ring)
+    if (p.u > 1.6) {
+      EXPECT_LT(p.v, 3.1) << p.u;
+    }
+}
+
 }  // namespace
 }  // namespace ilot
