@@ -302,7 +302,9 @@ void add_levels(const Facade& facade, std::span<const FlatElement> flat, const F
   for (std::size_t i = 0; i < flat.size(); ++i)
     if (has_level(facade.elements[i], flat[i], outlines) && !flat[i].corners.empty()) {
       const bool outline = facade.elements[i].kind == "outline";
-      heights.insert(heights.end(), {{flat[i].box.min.y, outline}, {flat[i].box.max.y, outline}});
+      heights.push_back({flat[i].box.max.y, outline});
+      // A storey begins where the outline ends.
+      if (!is_further_wall(facade.elements[i], flat[i], outlines)) heights.push_back({flat[i].box.min.y, outline});
       if (outline)  // feet of gables, steps
         for (const DrawingCorner& corner : flat[i].corners) heights.push_back({corner.y, true});
     }

@@ -23,20 +23,28 @@ struct Stretch {
   double u0 = 0, u1 = 0, top = 0;
 };
 
-// Columns without points, and runs that are too short, take the height of the higher column beside them. Those beside
-// the first and the last column are given.
-void close_gaps(std::vector<SparseColumn>& columns, double before_all, double after_all, double same) {
+// Runs of columns for which wanted(top, number of columns) is true take the height of the higher column beside them.
+// Those beside the first and the last column are given.
+template <class Wanted>
+void raise_runs(std::vector<SparseColumn>& columns, double before_all, double after_all, double same,
+                const Wanted& wanted) {
   for (std::size_t i = 0; i < columns.size();) {
     const double top = columns[i].top;
     std::size_t end = i + 1;
     while (end < columns.size() && (columns[end].top == top || std::abs(columns[end].top - top) <= same)) ++end;
-    if (end - i < kFewestColumns || !std::isfinite(top)) {
+    if (wanted(top, end - i)) {
       const double beside =
           std::max(i > 0 ? columns[i - 1].top : before_all, end < columns.size() ? columns[end].top : after_all);
       for (std::size_t k = i; k < end; ++k) columns[k].top = beside;
     }
     i = end;
   }
+}
+
+// Closes columns without points first, then runs that are too short.
+void close_gaps(std::vector<SparseColumn>& columns, double before_all, double after_all, double same) {
+  raise_runs(columns, before_all, after_all, same, [](double top, std::size_t) { return !std::isfinite(top); });
+  raise_runs(columns, before_all, after_all, same, [](double, std::size_t count) { return count < kFewestColumns; });
 }
 
 // Stretches of columns whose heights differ by at most `same` from the first of them.

@@ -82,13 +82,14 @@ TEST(FacadeDrawing, OverallSizesAreThoseOfWalls) {
   std::vector<FacadeElement> elements{
       drawn("outline", wall_rectangle(0, 0, 9, 10)), drawn("window", wall_rectangle(1, 1, 2, 2.5)),
       drawn("possible opening", wall_rectangle(8, 1, 9.07, 2)), drawn("balcony", wall_rectangle(-0.4, 4, 2, 4.5)),
-      drawn("recess", wall_rectangle(3, 10, 6, 12.5))};
+      drawn("recess", wall_rectangle(3, 10.03, 6, 12.5))};
   elements[2].status = DrawnStatus::occluded;
   const Drawing drawing = facade_drawing(facade_of(elements));
   const auto sizes = texts_of(drawing, DrawingRole::dimension);
   EXPECT_EQ(sizes.count("9.00"), 1u);
   EXPECT_EQ(sizes.count("12.50"), 1u);
   EXPECT_EQ(texts_of(drawing, DrawingRole::level).count("12.50"), 1u);
+  EXPECT_EQ(texts_of(drawing, DrawingRole::level).count("10.03"), 0u) << "it begins at the top of the wall";
 }
 
 // Heights that are written alike are one level, however they lie in groups of half a millimetre on paper.
