@@ -8,7 +8,8 @@ Each RESULT is a folder of a run; the cloud (columns x, y, z; `ilot convert`) an
 
   openings missing, in vain   with a truth: no drawn one, or no true one, has an intersection over union of half with it
   bare drawn as wall          with a cloud: squares of half a metre inside the outline in which no point lies from 1 m behind
-                              the wall to 15 cm before it, and which no element covers; counted as patches, and in square metres
+                              the wall to 15 cm before it, and which no element covers, where the wall about them has twelve
+                              points in such a square; counted as patches, and in square metres
   beyond the wall             elements of which more than 2 cm lies past the left or right end of the outline, hatched ones apart
   opening over the outline    a corner of an opening is more than 2 cm outside of the outline
   wrong overall size          a chain gives a size that is not that of the walls drawn (outline, dormers, walls above it)
@@ -30,6 +31,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from facade_frame import in_axes, overlap  # noqa: E402
 
 SIDE, PAST, BEHIND, BEFORE = 0.5, 0.02, 1.0, 0.15  # metres
+ABOUT, EXPECTED = 5, 12  # cells of 0.1 m around a bare place; points in a square as dense as there, at least
 WALLS_ABOVE = ("recess", "protrusion", "dormer")
 
 
@@ -110,8 +112,15 @@ def bare_places(frame, rings, cloud):
     bare = opened(bare, round(SIDE / cell))
     for ring in rings[1:]:
         bare &= ~contains(ring, u, v)
-    left = opened(bare, round(SIDE / cell))
-    return [(u0 + p[0][1] * cell, v0 + p[0][0] * cell, len(p) * cell * cell) for p in patches(left)]
+    left, found = opened(bare, round(SIDE / cell)), []
+    for part in patches(left):
+        low, high = numpy.min(part, 0), numpy.max(part, 0)
+        around = [slice(max(0, a - ABOUT), b + ABOUT + 1) for a, b in zip(low, high)]
+        here = ((r >= around[0].start) & (r < around[0].stop) & (c >= around[1].start) & (c < around[1].stop)).sum()
+        wall = left[around[0], around[1]].size - left[around[0], around[1]].sum()
+        if here * SIDE * SIDE >= EXPECTED * wall * cell * cell:
+            found.append((u0 + part[0][1] * cell, v0 + part[0][0] * cell, len(part) * cell * cell))
+    return found
 
 
 def texts_of(svg):

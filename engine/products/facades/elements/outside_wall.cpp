@@ -10,6 +10,9 @@ namespace {
 // Derived: more than half, so that what lies on the border of two walls is drawn on one of them.
 constexpr double kMostInside = 0.5;  // share of the width of an element
 
+// Choice: the error of the end of a wall that meets a tower.
+constexpr double kBesideWall = 0.1;  // metres between the end of the wall and a part of the house beside it
+
 bool is_opening_or_leaf(ElementKind kind) {
   return kind == ElementKind::window || kind == ElementKind::door || kind == ElementKind::shutter;
 }
@@ -21,7 +24,8 @@ bool is_unseen(const FacadeElement& e) {
   return e.status == DrawnStatus::occluded && (e.kind == "possible opening" || e.kind == "not seen");
 }
 
-bool may_be_below(ElementKind kind) {
+// Whether an element may be a part of the house below its wall or beside it: a storey, a tower at its corner.
+bool may_be_wall(ElementKind kind) {
   return kind == ElementKind::recess || kind == ElementKind::protrusion;
 }
 
@@ -69,7 +73,8 @@ void drop_elements_outside(const Box2& wall, std::vector<ElementCandidate>& cand
     if (is_opening_or_leaf(t.kind)) return false;
     const Box2 box = t.shape.box();
     const double inside = std::min(box.u1, wall.u1) - std::max(box.u0, wall.u0);
-    return inside < kMostInside * box.width() || (box.v1 <= wall.v0 && !may_be_below(t.kind));
+    const double least = may_be_wall(t.kind) ? -kBesideWall : kMostInside * box.width();
+    return inside < least || (box.v1 <= wall.v0 && !may_be_wall(t.kind));
   });
 }
 

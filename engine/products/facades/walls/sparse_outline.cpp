@@ -18,13 +18,15 @@ constexpr double kLeastRise = 1;  // metres
 constexpr double kStepsOfTop = 3;
 // Choice: two columns; what hides the wall or a gap between windows takes one.
 constexpr std::size_t kFewestColumns = 2;
+// Choice: houses are wider; a window or a tree is narrower, and what it hides between higher columns is no gap.
+constexpr double kWidestGap = 3;  // metres
 
 struct Stretch {
   double u0 = 0, u1 = 0, top = 0;
 };
 
-// Runs of columns for which wanted(top, number of columns) is true take the height of the higher column beside them.
-// Those beside the first and the last column are given.
+// Runs of columns for which wanted(top, number of columns, lower than what is beside them) is true take the height of
+// the higher column beside them. Those beside the first and the last column are given.
 template <class Wanted>
 void raise_runs(std::vector<SparseColumn>& columns, double before_all, double after_all, double same,
                 const Wanted& wanted) {
@@ -32,19 +34,22 @@ void raise_runs(std::vector<SparseColumn>& columns, double before_all, double af
     const double top = columns[i].top;
     std::size_t end = i + 1;
     while (end < columns.size() && (columns[end].top == top || std::abs(columns[end].top - top) <= same)) ++end;
-    if (wanted(top, end - i)) {
-      const double beside =
-          std::max(i > 0 ? columns[i - 1].top : before_all, end < columns.size() ? columns[end].top : after_all);
-      for (std::size_t k = i; k < end; ++k) columns[k].top = beside;
-    }
+    const double before = i > 0 ? columns[i - 1].top : before_all;
+    const double after = end < columns.size() ? columns[end].top : after_all;
+    if (wanted(top, end - i, top < std::min(before, after)))
+      for (std::size_t k = i; k < end; ++k) columns[k].top = std::max(before, after);
     i = end;
   }
 }
 
-// Closes columns without points first, then runs that are too short.
+// Closes columns without points first, then runs that are too short, then gaps between higher ones.
 void close_gaps(std::vector<SparseColumn>& columns, double before_all, double after_all, double same) {
-  raise_runs(columns, before_all, after_all, same, [](double top, std::size_t) { return !std::isfinite(top); });
-  raise_runs(columns, before_all, after_all, same, [](double, std::size_t count) { return count < kFewestColumns; });
+  const auto most = static_cast<std::size_t>(kWidestGap / kColumn);
+  raise_runs(columns, before_all, after_all, same, [](double top, std::size_t, bool) { return !std::isfinite(top); });
+  raise_runs(columns, before_all, after_all, same,
+             [](double, std::size_t count, bool) { return count < kFewestColumns; });
+  raise_runs(columns, before_all, after_all, same,
+             [&](double, std::size_t count, bool lower) { return lower && count <= most; });
 }
 
 // Stretches of columns whose heights differ by at most `same` from the first of them.
@@ -139,6 +144,7 @@ WallOutline outline_with_columns(const WallOutline& core, double width, std::vec
   for (std::size_t i = 2; i < core.ring.size(); ++i) {
     Place2 p = core.ring[i];
     if (whole.v1 - p.v <= 2 * step && core.edges.empty()) p.v = whole.v1;
+    p.v = std::min(p.v, whole.v1);  // a slope that goes on to the end of the dense part
     add_corner(outline, p, i < core.edges.size() ? core.edges[i] : FacadeEdge{}, step);
   }
   add_stretches(outline, stretches_of(beyond_left, whole, same), step);

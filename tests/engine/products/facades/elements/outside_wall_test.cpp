@@ -30,6 +30,8 @@ TEST(OutsideWall, ReliefOfANeighbourIsNotDrawn) {
   EXPECT_FALSE(stays(ElementKind::band, {10.4, 12, 3, 3.2}));
   EXPECT_FALSE(stays(ElementKind::bulge, {-0.3, 0.1, 0, 5})) << "most of it is a pipe of the other house";
   EXPECT_TRUE(stays(ElementKind::balcony, {8, 10.4, 3, 4})) << "goes round the corner";
+  EXPECT_TRUE(stays(ElementKind::protrusion, {10.02, 11, 2, 8})) << "a tower at the corner";
+  EXPECT_FALSE(stays(ElementKind::protrusion, {10.5, 11, 2, 8}));
   EXPECT_TRUE(stays(ElementKind::eaves, {-0.5, 10.5, 8, 8.3}));
   EXPECT_TRUE(stays(ElementKind::window, {10.1, 11, 3, 4})) << "the wall may end too early";
 }

@@ -44,8 +44,8 @@ TEST(SparseOutline, ALowHouseBesideATallOneIsNoSky) {
 }
 
 // What hides the wall, and what lies between two windows, is no gap in it.
-TEST(SparseOutline, SingleAndBareColumnsTakeWhatIsBesideThem) {
-  const auto columns = all_columns({7.9, 7.9, 2, 8}, {4, 4, -INFINITY, 4, 1, 4, 4, 4});
+TEST(SparseOutline, GapsAndBareColumnsTakeWhatIsBesideThem) {
+  const auto columns = all_columns({7.9, 7.9, 2, 8}, {4, 4, -INFINITY, 4, 1, 2, 4, 4});
   expect_ring(outline_with_columns(kDense, 6, columns, kWithParts, kSparseStep),
               {{-2, 0}, {10, 0}, {10, 4}, {6, 4}, {6, 8}, {-2, 8}});
 }
