@@ -12,10 +12,9 @@ Each RESULT is a folder of a run; the cloud (columns x, y, z; `ilot convert`) an
                               points in such a square; counted as patches, and in square metres
   beyond the wall             elements of which more than 2 cm lies past the left or right end of the outline, hatched ones apart
   opening over the outline    a corner of an opening is more than 2 cm outside of the outline
-  wrong overall size          a chain gives a size that is not that of the walls drawn (outline, dormers, walls above it)
+  wrong overall size          no chain has the size of all walls drawn (outline, dormers, walls above or below it)
   no level                    the top of a wall drawn above the outline has no level
   level twice                 two levels with the same text
-  text over text              boxes of texts of the plan overlap
   notch                       the outline has a gap between higher stretches
 Needs numpy."""
 import argparse
@@ -124,15 +123,76 @@ def bare_places(frame, rings, cloud):
 
 
 def texts_of(svg):
-    """(role, text, x, y, size, turned, anchor) of each text of the sheet."""
-    role, found = "", []
+    """(layer, text) of each text of the sheet."""
+    layer, found = "", []
     for line in svg.read_text().splitlines():
-        layer = re.search(r'data-layer="([^"]*)"', line)
-        role = layer.group(1) if layer else role
-        for a, words in re.findall(r"<text ([^>]*)>([^<]*)</text>", line):
-            value = dict(re.findall(r'([\w-]+)="([^"]*)"', a))
-            found.append((role, words, value))
+        named = re.search(r'data-layer="([^"]*)"', line)
+        layer = named.group(1) if named else layer
+        found += [(layer, words) for words in re.findall(r"<text [^>]*>([^<]*)</text>", line)]
     return found
+
+
+def has_notch(outline, foot):
+    """Whether a corner of the top lies below others on both sides."""
+    def higher(q, way):
+        return any(way * (p[0] - q[0]) > 0.05 and p[1] > q[1] + 0.3 for p in outline)
+    return any(q[1] > foot + 0.3 and higher(q, 1) and higher(q, -1) for q in outline)
+
+
+def judge_elements(elements, note):
+    """Returns the rings of what is wall."""
+    outline = elements[0][1]
+    u0, u1, v0, v1 = box(outline)
+    walls = [outline]
+    for e, ring in elements[1:]:
+        b = box(ring)
+        if e.get("region") == "irregularity":
+            continue
+        if e["kind"] in WALLS_ABOVE and (b[2] >= v1 - 0.1 or b[3] <= v0 + 0.1):
+            walls.append(ring)
+        past = max(u0 - b[0], b[1] - u1)
+        unseen = e["status"] == "occluded"
+        if past > PAST:
+            note("beyond the wall, " + ("hatched" if unseen else "drawn"), f"{e['id']} {e['kind']} {past:.2f}")
+        over = e["opening"] and not unseen and (b[2] + b[3]) / 2 < v1
+        if over and max(distance_outside(outline, p) for p in ring) > PAST:
+            note("opening over the outline", f"{e['id']}")
+    if has_notch(outline, v0):
+        note("notch")
+    return walls
+
+
+def judge_texts(svg, walls, height, note):
+    texts = texts_of(svg)
+    levels = collections.Counter(t for r, t in texts if "LEVEL" in r)
+    for t, n in levels.items():
+        if n > 1:
+            note("level twice", t)
+    heights = [float(t.replace(",", ".")) for t in levels]
+    for ring in walls[1:]:
+        top = height + box(ring)[3]
+        if min([abs(h - top) for h in heights], default=1) > 0.03:
+            note("no level", f"{top:.2f}")
+    sizes = [float(t.replace(",", ".")) for r, t in texts if "DIM" in r and re.fullmatch(r"[\d.,]+", t)]
+    boxes = [box(w) for w in walls]
+    for size in (max(b[1] for b in boxes) - min(b[0] for b in boxes), max(b[3] for b in boxes) - min(b[2] for b in boxes)):
+        if sizes and min(abs(s - size) for s in sizes) > 0.011:
+            note("wrong overall size", f"{size:.2f}")
+
+
+def judge_openings(elements, frame, truth, note):
+    u0, u1, _, v1 = box(elements[0][1])
+    true = []
+    for o in truth["openings"]:
+        ring = [in_axes(frame, p) for p in o["ring"]]
+        b = box(ring)
+        if max(abs(p[2]) for p in ring) < 0.6 and b[0] < u1 and b[1] > u0 and b[2] < v1:
+            true.append(b)
+    drawn = [box(r) for e, r in elements if e["opening"] and e["status"] != "occluded"]
+    for kind, own, other in (("opening missing", true, drawn), ("opening in vain", drawn, true)):
+        for b in own:
+            if max([overlap(b, d) for d in other], default=0) < 0.5:
+                note(kind, " ".join(f"{x:.2f}" for x in b))
 
 
 def judge(result, cloud, truth, counts, listed):
@@ -142,71 +202,21 @@ def judge(result, cloud, truth, counts, listed):
         elements = [(e, [in_axes(frame, p) for p in e["ring"]]) for e in facade["elements"] if e.get("ring")]
         if not elements or elements[0][0]["kind"] != "outline":
             continue
-        def note(kind, what="", size=1):
-            counts[kind] += size
+
+        def note(kind, what=""):
+            counts[kind] += 1
             listed.append(f"{result} {path.stem}: {kind} {what}")
+
         counts["plans"] += 1
-        outline = elements[0][1]
-        u0, u1, v0, v1 = box(outline)
-        walls = [outline]
-        for e, ring in elements[1:]:
-            b = box(ring)
-            if e.get("region") == "irregularity":
-                continue
-            if e["kind"] in WALLS_ABOVE and (b[2] >= v1 - 0.1 or b[3] <= v0 + 0.1):
-                walls.append(ring)
-            past = max(u0 - b[0], b[1] - u1)
-            if past > PAST:
-                note("beyond the wall, " + ("hatched" if e["status"] == "occluded" else "drawn"), f"{e['id']} {e['kind']} {past:.2f}")
-            if e["opening"] and e["status"] != "occluded" and (b[2] + b[3]) / 2 < v1 and max(distance_outside(outline, p) for p in ring) > PAST:
-                note("opening over the outline", f"{e['id']}")
+        walls = judge_elements(elements, note)
+        judge_texts(path.with_suffix(".svg"), walls, frame["origin"][2], note)
         if cloud is not None:
-            covers = [r for e, r in elements[1:] if e.get("region") != "irregularity"]
-            for u, v, size in bare_places(frame, [outline, *covers], cloud):
+            rings = [r for e, r in elements if e.get("region") != "irregularity"]
+            for u, v, size in bare_places(frame, rings, cloud):
                 note("bare drawn as wall", f"at {u:.1f} {v:.1f}: {size:.2f} m2")
                 counts["bare drawn as wall, m2"] += size
-        tops = sorted(p[1] for p in outline)
-        if any(tops[-1] - q[1] > 0.3 and max(p[1] for p in outline[:k + 1]) - q[1] > 0.3 and
-               any(p[0] < q[0] - 0.05 and p[1] > q[1] + 0.3 for p in outline) and
-               any(p[0] > q[0] + 0.05 and p[1] > q[1] + 0.3 for p in outline) for k, q in enumerate(outline) if q[1] > v0 + 0.3):
-            note("notch")
-        texts = texts_of(path.with_suffix(".svg"))
-        level = collections.Counter(t for r, t, _ in texts if "LEVEL" in r)
-        for t, n in level.items():
-            if n > 1:
-                note("level twice", t)
-        heights = [float(t.replace(",", ".")) for t in level]
-        z = frame["origin"][2]
-        for ring in walls[1:]:
-            top = z + box(ring)[3]
-            if not heights or min(abs(h - top) for h in heights) > 0.03:
-                note("no level", f"{top:.2f}")
-        sizes = [float(t.replace(",", ".")) for r, t, _ in texts if "DIM" in r and re.fullmatch(r"[\d.,]+", t)]
-        wide, tall = max(box(w)[1] for w in walls) - min(box(w)[0] for w in walls), max(box(w)[3] for w in walls) - min(box(w)[2] for w in walls)
-        for size in (wide, tall):
-            if sizes and min(abs(s - size) for s in sizes) > 0.011:
-                note("wrong overall size", f"{size:.2f}")
-        boxes = []
-        for role, words, value in texts:
-            if not any(k in role for k in ("LEVEL", "DIM", "TEXT")) or "x" not in value:
-                continue
-            size = float(re.sub("[a-z]", "", value.get("font-size", "0")) or 0)
-            boxes.append((float(value["x"]), float(value["y"]), size, len(words), value.get("text-anchor", ""), "rotate" in value.get("transform", ""), words))
-        counts["texts"] += len(boxes)
         if truth is not None:
-            true = []
-            for o in truth["openings"]:
-                ring = [in_axes(frame, p) for p in o["ring"]]
-                b = box(ring)
-                if max(abs(p[2]) for p in ring) < 0.6 and b[0] < u1 and b[1] > u0 and b[2] < v1:
-                    true.append(b)
-            drawn = [box(r) for e, r in elements if e["opening"] and e["status"] != "occluded"]
-            for b in true:
-                if max([overlap(b, d) for d in drawn], default=0) < 0.5:
-                    note("opening missing", " ".join(f"{x:.2f}" for x in b))
-            for d in drawn:
-                if max([overlap(b, d) for b in true], default=0) < 0.5:
-                    note("opening in vain", " ".join(f"{x:.2f}" for x in d))
+            judge_openings(elements, frame, truth, note)
 
 
 def main():
