@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t kBytesOfPoint = 10;        // code, class and echoes
 constexpr std::uint64_t kBytesOfTask = 8u << 20;   // windows and cells
 constexpr std::uint64_t kPointsOfTask = 1u << 20;  // least number; a task is some blocks in a row
-constexpr std::size_t kTasksAtOnce = 32;           // whose windows and cells are kept until all of them are done
+constexpr std::size_t kTasksAtOnce = 32;           // at most; their windows and cells are kept until all are done
 
 // Blocks in a row.
 struct BlockRange {
@@ -54,8 +54,9 @@ class StoreMeasure {
     MeasuredPart all;
     all.occupied.resize(cells.columns * cells.rows);
     const std::vector<BlockRange> ranges = ranges_of_blocks();
-    for (std::size_t first = 0; first < ranges.size(); first += kTasksAtOnce)
-      add(std::span(ranges).subspan(first, std::min(kTasksAtOnce, ranges.size() - first)), cells, windows, all);
+    const std::size_t at_once = std::clamp<std::size_t>(budget_ / (2 * kBytesOfTask), 1, kTasksAtOnce);
+    for (std::size_t first = 0; first < ranges.size(); first += at_once)
+      add(std::span(ranges).subspan(first, std::min(at_once, ranges.size() - first)), cells, windows, all);
     m_.classes = all.classes;
     m_.last_returns = m_.points - all.not_last;
     const auto full = static_cast<double>(std::count(all.occupied.begin(), all.occupied.end(), true));

@@ -65,8 +65,7 @@ void warn_of_unsuited(const std::vector<std::string>& products, const RunInputs&
                       const PassContext& context, Progress& progress, RunRecord& record) {
   CloudInfo info;
   info.crs = inputs.crs;
-  for (const auto& reader : inputs.readers)
-    for (const Station& station : reader->info().stations) info.stations.push_back(station);
+  info.stations = inputs.stations;
   for (const CloudSuitability& s : suitability(info, measure_store(store, context))) {
     if (s.yes || std::find(products.begin(), products.end(), s.product) == products.end()) continue;
     record.warnings.push_back(s.product + ": the cloud does not suit it: " + s.reason);

@@ -193,7 +193,7 @@ Parameters streets_parameters() {
       make("streets.rise", ILOT_FIELD(streets.rise), {0, 10}, "m",
            "what rises so far above the pass to a higher object is an object of its own"),
       make("streets.trust_classes", ILOT_FIELD(streets.trust_classes), {}, "",
-           "objects with points of classes.vegetation are vegetation, unless sure cars have them too"),
+           "objects with points of classes.vegetation are vegetation, unless sure objects have them too"),
   };
 }
 

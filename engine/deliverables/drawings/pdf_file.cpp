@@ -13,15 +13,21 @@ namespace {
 // Of a book: catalogue, pages, font, information; then three objects for each page.
 constexpr std::size_t kInfo = 4, kFirstPage = 5, kOfPage = 3;
 
+// A compressed stream; `entries` are those of its dictionary beside the length and the filter.
+std::string packed_stream(const std::string& entries, std::string_view content) {
+  const std::string data = compressed(content);
+  return fmt::format("<<{}/Filter /FlateDecode /Length {}>>\nstream\n{}\nendstream", entries, data.size(), data);
+}
+
 std::string image_object(const PdfImage& image) {
   std::string palette;
   for (const auto& colour : image.palette)
     for (const std::uint8_t part : colour) palette += fmt::format("{:02x}", part);
-  const std::string data = compressed(image.pixels);
-  return fmt::format(
-      "<</Type /XObject /Subtype /Image /Width {} /Height {} /BitsPerComponent 8 /ColorSpace [/Indexed /DeviceRGB {} "
-      "<{}>] /Filter /FlateDecode /Length {}>>\nstream\n{}\nendstream",
-      image.width, image.height, image.palette.size() - 1, palette, data.size(), data);
+  return packed_stream(
+      fmt::format("/Type /XObject /Subtype /Image /Width {} /Height {} /BitsPerComponent 8 /ColorSpace [/Indexed "
+                  "/DeviceRGB {} <{}>] ",
+                  image.width, image.height, image.palette.size() - 1, palette),
+      image.pixels);
 }
 
 }  // namespace
@@ -35,9 +41,10 @@ std::string pdf_file(const std::vector<std::string>& objects, std::size_t info) 
     file += fmt::format("{} 0 obj\n{}\nendobj\n", i + 1, objects[i]);
   }
   const std::size_t begin = file.size();
-  return file + table +
-         fmt::format("trailer\n<</Size {} /Root 1 0 R /Info {} 0 R>>\nstartxref\n{}\n%%EOF\n", objects.size() + 1, info,
-                     begin);
+  file += table;
+  file += fmt::format("trailer\n<</Size {} /Root 1 0 R /Info {} 0 R>>\nstartxref\n{}\n%%EOF\n", objects.size() + 1,
+                      info, begin);
+  return file;
 }
 
 std::string pdf_stream(const std::string& content) {
@@ -48,24 +55,27 @@ std::string pdf_info(const std::string& title) {
   return "<</Title (" + pdf_letters(title).escaped + ") /Producer (ilot)>>";
 }
 
-std::string pdf_book(const std::vector<PdfPage>& pages, const std::string& title) {
-  std::string kids;
-  for (std::size_t i = 0; i < pages.size(); ++i) kids += fmt::format("{} 0 R ", kFirstPage + kOfPage * i);
-  std::vector<std::string> objects{
-      "<</Type /Catalog /Pages 2 0 R>>", fmt::format("<</Type /Pages /Kids [{}] /Count {}>>", kids, pages.size()),
-      "<</Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding>>", pdf_info(title)};
+void PdfBook::add(const PdfPage& page) {
+  const std::size_t number = kFirstPage + objects_.size();
   const std::string scale = decimal(kPointsPerMm, 6);
-  for (const PdfPage& page : pages) {
-    const std::string image = page.image ? fmt::format(" /XObject <</Image {} 0 R>>", objects.size() + 3) : "";
-    objects.push_back(
-        fmt::format("<</Type /Page /Parent 2 0 R /MediaBox [0 0 {} {}] /Contents {} 0 R /Resources <</Font <</F1 3 0 "
-                    "R>> /ExtGState <</Clear <</ca 0.25>> /Solid <</ca 1>>>>{}>>>>",
-                    decimal(page.width_mm * kPointsPerMm, 3), decimal(page.height_mm * kPointsPerMm, 3),
-                    objects.size() + 2, image));
-    objects.push_back(pdf_stream(scale + " 0 0 " + scale + " 0 0 cm 1 J 1 j\n" + page.content));
-    objects.push_back(page.image ? image_object(*page.image) : "null");
-  }
-  return pdf_file(objects, kInfo);
+  objects_.push_back(fmt::format(
+      "<</Type /Page /Parent 2 0 R /MediaBox [0 0 {} {}] /Contents {} 0 R /Resources <</Font <</F1 3 0 R>> /ExtGState "
+      "<</Clear <</ca {}>> /Solid <</ca 1>>>>{}>>>>",
+      decimal(page.width_mm * kPointsPerMm, 3), decimal(page.height_mm * kPointsPerMm, 3), number + 1,
+      decimal(kClearOpacity, 2), page.image ? fmt::format(" /XObject <</Image {} 0 R>>", number + 2) : ""));
+  objects_.push_back(packed_stream("", scale + " 0 0 " + scale + " 0 0 cm 1 J 1 j\n" + page.content));
+  objects_.push_back(page.image ? image_object(*page.image) : "null");
+}
+
+std::string PdfBook::file(const std::string& title) && {
+  std::string kids;
+  for (std::size_t i = 0; i < objects_.size(); i += kOfPage) kids += fmt::format("{} 0 R ", kFirstPage + i);
+  const std::array<std::string, 4> head{
+      "<</Type /Catalog /Pages 2 0 R>>",
+      fmt::format("<</Type /Pages /Kids [{}] /Count {}>>", kids, objects_.size() / kOfPage),
+      "<</Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding>>", pdf_info(title)};
+  objects_.insert(objects_.begin(), head.begin(), head.end());
+  return pdf_file(objects_, kInfo);
 }
 
 }  // namespace ilot

@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ilot {
@@ -26,17 +28,28 @@ std::string pdf_info(const std::string& title);
 // An image whose pixels are places in a palette, rows from the top.
 struct PdfImage {
   std::uint32_t width = 0, height = 0;
-  std::vector<std::array<std::uint8_t, 3>> palette;  // red, green, blue
-  std::string pixels;                                // a byte for each
+  std::span<const std::array<std::uint8_t, 3>> palette;  // red, green, blue
+  std::string_view pixels;                               // a byte for each
 };
 
+constexpr double kClearOpacity = 0.25;  // of fills in the graphics state /Clear
+
 // A page of paper. Operators have millimetres from the lower left corner; /F1 is Helvetica, the graphics states
-// /Clear and /Solid are fills of a quarter and of full opacity, and /Image is the image, where there is one.
+// /Clear and /Solid are fills of kClearOpacity and of full opacity, and /Image is the image, where there is one.
 struct PdfPage {
   double width_mm = 0, height_mm = 0;
   std::string content;
   std::optional<PdfImage> image = {};
 };
-std::string pdf_book(const std::vector<PdfPage>& pages, const std::string& title);
+
+// Pages are compressed as they come, so that the memory is that of the file and of one page.
+class PdfBook {
+ public:
+  void add(const PdfPage& page);
+  std::string file(const std::string& title) &&;
+
+ private:
+  std::vector<std::string> objects_;  // of the pages: page, content, image
+};
 
 }  // namespace ilot

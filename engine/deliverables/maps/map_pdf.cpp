@@ -53,7 +53,7 @@ std::string shape_pdf(const MapShape& shape, const MapPlace& place) {
     out += fmt::format("{} RG {} w [{}] 0 d ", colour(*shape.stroke),
                        number(std::max(kThinnest, place.mm(shape.width))), dash);
   }
-  const bool clear = shape.fill && shape.opacity < 1;
+  const bool clear = shape.fill && shape.clear;
   const char* paint = shape.fill && shape.stroke ? "B*" : shape.fill ? "f*" : "S";
   return out + (clear ? "/Clear gs " : "") + path(shape, place) + paint + (clear ? " /Solid gs\n" : "\n");
 }

@@ -27,9 +27,9 @@ struct SheetGrid {
   std::size_t number_beside(std::size_t sheet, std::int64_t columns, std::int64_t rows) const;
 };
 
-// The sheets on which something is drawn, at the largest scale of 1 : 250, 500, 1000, 2000 ... at which there are 40 or
-// fewer. A map without anything has one sheet. `frame_mm`: what a sheet shows on paper. O(vertices + sheets) for each
-// scale that is tried.
+// The sheets that a line, a border of an area or a circle reaches, at the largest scale of 1 : 250, 500, 1000, 2000 ...
+// at which there are 40 or fewer. A map without anything has one sheet. `frame_mm`: what a sheet shows on paper.
+// O(vertices + sheets) for each scale that is tried.
 SheetGrid sheets_of(const StreetShapes& map, FlatPoint frame_mm);
 
 }  // namespace ilot

@@ -77,13 +77,6 @@ CoverImage cover_of(const Page& page, Vec3 origin, double metres_per_unit, doubl
   return image;
 }
 
-PdfImage image_of(const CoverImage& cover) {
-  PdfImage image{cover.width, cover.height, {kPalette.begin(), kPalette.end()}, {}};
-  image.pixels.resize(cover.pixels.size());
-  std::ranges::transform(cover.pixels, image.pixels.begin(), [](GroundCover c) { return static_cast<char>(c); });
-  return image;
-}
-
 // Crosses at round coordinates, whose values stand along the left and the lower side of the frame.
 std::string grid_pdf(const Book& book, const Page& page) {
   const double unit = book.metres_per_unit, step = round_up(kGridOnPaper * page.place.scale / 1000 / unit);
@@ -167,7 +160,7 @@ std::string number_pdf(const MapNumber& number, const MapPlace& place) {
   return text_pdf({{p.x + reach + kBeside, p.y + kBeside}, kNumber, TextAnchor::left, true}, id);
 }
 
-PdfPage page_pdf(const Book& book, const Page& page) {
+void add_page(const Book& book, const Page& page, PdfBook& pdf) {
   std::string inside;
   if (!page.cover.pixels.empty())
     inside +=
@@ -181,8 +174,12 @@ PdfPage page_pdf(const Book& book, const Page& page) {
       fmt::format("q {} {} {} {} re W n\n", kFrame.min.x, kFrame.min.y, kFrame.width(), kFrame.height());
   PdfPage out{kPaperWidth, kPaperHeight,
               clip + inside + page.above + "Q\n" + frame_pdf(kFrame) + strip_pdf(book, page)};
-  if (!page.cover.pixels.empty()) out.image = image_of(page.cover);
-  return out;
+  if (!page.cover.pixels.empty())
+    out.image = PdfImage{page.cover.width,
+                         page.cover.height,
+                         kPalette,
+                         {reinterpret_cast<const char*>(page.cover.pixels.data()), page.cover.pixels.size()}};
+  pdf.add(out);
 }
 
 // The numbers of the sheets beside, at the middles of the sides of the frame.
@@ -249,10 +246,10 @@ void add_cover(const CoverSource& cover, const Book& book, std::vector<Page>& pa
   for (std::size_t i = 0; i < pages.size(); ++i) pages[i].cover = std::move(images[i]);
 }
 
-void add_area(const Book& book, const CoverSource& cover, const std::string& area, std::vector<PdfPage>& out) {
+void add_area(const Book& book, const CoverSource& cover, const std::string& area, PdfBook& pdf) {
   std::vector<Page> pages = pages_of(book.map, area);
   if (cover.paint) add_cover(cover, book, pages);
-  for (const Page& page : pages) out.push_back(page_pdf(book, page));
+  for (const Page& page : pages) add_page(book, page, pdf);
 }
 
 }  // namespace
@@ -260,13 +257,13 @@ void add_area(const Book& book, const CoverSource& cover, const std::string& are
 std::string street_book_pdf(const StreetPlan& plan, double metres_per_unit, std::span<const std::string> notes,
                             const CoverSource& cover) {
   const std::vector<StreetPlan> areas = street_areas(plan, metres_per_unit);
-  std::vector<PdfPage> pages;
+  PdfBook pdf;
   for (std::size_t i = 0; i < areas.size(); ++i) {
     Book book{street_shapes(areas[i], metres_per_unit), street_legend(areas[i]), notes, metres_per_unit};
     if (cover.paint) std::ranges::copy(cover_legend(), std::back_inserter(book.legend));
-    add_area(book, cover, areas.size() == 1 ? "" : fmt::format("Area {}. ", i + 1), pages);
+    add_area(book, cover, areas.size() == 1 ? "" : fmt::format("Area {}. ", i + 1), pdf);
   }
-  return pdf_book(pages, "Street map");
+  return std::move(pdf).file("Street map");
 }
 
 void write_street_book(const std::filesystem::path& folder, const StreetPlan& plan, double metres_per_unit,

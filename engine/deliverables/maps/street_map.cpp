@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "engine/deliverables/drawings/pdf_file.h"
 #include "engine/deliverables/maps/street_shapes.h"
 #include "engine/model/street_areas.h"
 #include "engine/whole_file.h"
@@ -57,7 +58,7 @@ std::string geometry(const MapShape& shape, const SheetPlace& at) {
 
 std::string shape_svg(const MapShape& shape, const SheetPlace& at) {
   std::string svg = geometry(shape, at) + fmt::format(" fill=\"{}\"", shape.fill ? hex(*shape.fill) : "none");
-  if (shape.opacity < 1) svg += fmt::format(" fill-opacity=\"{}\"", shape.opacity);
+  if (shape.clear) svg += fmt::format(" fill-opacity=\"{}\"", kClearOpacity);
   if (shape.stroke) svg += fmt::format(" stroke=\"{}\" stroke-width=\"{:.3g}\"", hex(*shape.stroke), shape.width);
   if (shape.dash > 0) svg += fmt::format(" stroke-dasharray=\"{0} {0}\"", shape.dash);
   return svg + (shape.title.empty() ? "/>\n"

@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kLeastSymbol = 0.3;  // metres; smaller objects are drawn with this size
 constexpr double kTreeDot = 0.3;      // metres; radius of the dot at the trunk
-constexpr double kCrownOpacity = 0.25;
 constexpr double kThin = 0.1, kKerbWidth = 0.2, kGapWidth = 0.4, kHouseWidth = 1;  // metres; of lines
 constexpr double kKerbDash = 0.6, kGapDash = 1;                                    // metres
 constexpr MapColour kTree{47, 125, 50}, kTrunk{93, 64, 55}, kKerb{178, 34, 96}, kPavement{230, 223, 208},
@@ -56,7 +55,7 @@ void add_tree(FlatPoint at, double radius, double dot, double unit, bool trunk_s
               std::vector<MapShape>& shapes) {
   MapShape crown = circle_of(at, radius, title), trunk = circle_of(at, dot, "");
   crown.fill = crown.stroke = kTree;
-  crown.opacity = kCrownOpacity, crown.width = kThin * unit;
+  crown.clear = true, crown.width = kThin * unit;
   if (trunk_seen)
     trunk.fill = kTrunk;
   else

@@ -23,7 +23,7 @@ struct MapShape {
   FlatPoint centre;
   double radius = 0;
   std::optional<MapColour> fill, stroke;
-  double opacity = 1;  // of the fill
+  bool clear = false;  // the fill has kClearOpacity (pdf_file.h)
   double width = 0;    // of the stroke
   double dash = 0;     // length of the dashes and of the gaps between them; 0: none
   std::string title;   // what it is, for people

@@ -110,7 +110,7 @@ std::string streets_section(const StreetPlan& plan, double metres_per_unit) {
     for (const StreetPlan& area : street_areas(plan, metres_per_unit))
       content += "<figure class=\"map paper\">" + street_map_svg(area, metres_per_unit) + "</figure>\n";
   else
-    content += html_note("The map has too many objects for this page: see the plan above, or streets.svg.");
+    content += html_note("The map has too many objects for this page: see the plan above, or streets.pdf.");
   std::vector<StreetObject> doubtful = plan.objects;
   std::stable_sort(doubtful.begin(), doubtful.end(),
                    [](const StreetObject& a, const StreetObject& b) { return a.probability < b.probability; });

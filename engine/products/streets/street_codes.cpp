@@ -15,7 +15,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesOfTwoLayers = 8;     // two layers of a tile
+constexpr std::uint64_t kBytesOfThreeLayers = 12;  // layers of a tile
 constexpr std::uint64_t kBytesOfCodes = 1u << 20;  // memory of points while they are read, with their chunks
 constexpr double kSure = 0.9;                      // Choice: probability from which a class counts as sure
 
@@ -31,9 +31,12 @@ class TileParts {
   TileParts(const StreetTiles& tiles, std::size_t tile, Height least)
       : level_(layer_tile(tiles.layers(), "level", tile)),
         part_(layer_tile(tiles.layers(), "candidates", tile)),
+        structure_(layer_tile(tiles.cells().layers, "structure", tile)),
+        cells_(tiles.cells()),
         corner_(tiles.raster().corner(tile)),
         pixel_of_(tiles.raster().pixel),
-        least_(least) {}
+        least_(least),
+        clearance_(tiles.raster().scale.units(kClearance)) {}
 
   bool any() const {
     return std::ranges::any_of(part_.values, [](Height part) { return part != 0; });
@@ -43,14 +46,18 @@ class TileParts {
   std::uint32_t part_of(Index3 p) const {
     const std::size_t pixel = std::size_t{pixel_of_(p.y - corner_.y)} * level_.width + pixel_of_(p.x - corner_.x);
     if (part_.values[pixel] == 0 || level_.values[pixel] == kNoHeight) return 0;
-    return height_of(p.z) - level_.values[pixel] < least_ ? 0 : static_cast<std::uint32_t>(part_.values[pixel]);
+    const Height above = height_of(p.z) - level_.values[pixel];
+    const auto structure = static_cast<Structure>(structure_.values[cells_.cell_of(pixel, level_.width)]);
+    if (above < least_ || is_taken_out(structure, above, clearance_)) return 0;
+    return static_cast<std::uint32_t>(part_.values[pixel]);
   }
 
  private:
-  Image level_, part_;
+  Image level_, part_, structure_;
+  const Cells& cells_;
   Index3 corner_;
   LatticeCells pixel_of_;
-  Height least_;
+  Height least_, clearance_;
 };
 
 }  // namespace
@@ -65,7 +72,7 @@ std::vector<CodedPoints> coded_points(const Store& store, const StreetTiles& til
   std::vector<CodedPoints> counts(1 + std::ranges::max(candidate_of));
   std::mutex mutex;
   const std::uint64_t pixels = std::uint64_t{raster.grid.side} * raster.grid.side;
-  const std::vector<std::uint64_t> bytes(raster.grid.count(), kBytesOfTwoLayers * pixels + kBytesOfCodes);
+  const std::vector<std::uint64_t> bytes(raster.grid.count(), kBytesOfThreeLayers * pixels + kBytesOfCodes);
   run_tasks(raster.grid, bytes, [&](std::size_t tile) {
     const TileParts parts(tiles, tile, least);
     if (!parts.any()) return;
@@ -92,7 +99,7 @@ CodesVote vote_on_codes(std::span<const CodedPoints> counts, const SelectedObjec
   for (std::size_t i = 0; i + 1 < counts.size(); ++i) {
     if (selected.taken[i] == 0 || selected.by_hand[i] != 0) continue;
     const CandidateClass& c = selected.classes[i];
-    if ((c.label != PointLabel::car && c.label != PointLabel::van) || c.probability < kSure) continue;
+    if (c.probability < kSure || !is_street_object(c.label) || c.label == PointLabel::planter) continue;
     ++vote.sure, vote.coded += counts[i + 1].is_vegetation();
   }
   return vote;
@@ -111,9 +118,9 @@ void name_by_codes(std::span<const CodedPoints> counts, SelectedObjects& selecte
   }
   record.chosen.push_back(
       {"streets.trust_classes", std::string(vote.used() ? "true" : "false"),
-       fmt::format("{} of {} that are sure by their form have class codes of vegetation: {}", vote.coded,
-                   counted(vote.sure, "car"),
-                   vote.used() ? counted(named, "object") + " with such codes became vegetation"
+       fmt::format("of {1} that are sure by their form {0} have class codes of vegetation: {2}", vote.coded,
+                   counted(vote.sure, "object"),
+                   vote.used() ? counted(named, "object") + " of all became vegetation"
                                : "these codes do not tell vegetation from objects and were not used")});
 }
 

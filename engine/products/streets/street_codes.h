@@ -10,7 +10,8 @@
 
 namespace ilot {
 
-// The points of an object candidate at least least_height above the ground.
+// The points of an object candidate at least least_height above the ground, below what was taken out as a crown or an
+// overhang.
 struct CodedPoints {
   std::uint64_t all = 0, vegetation = 0;  // vegetation: with a class code of vegetation
   bool is_vegetation() const { return vegetation > 0 && 2 * vegetation >= all; }
@@ -18,17 +19,17 @@ struct CodedPoints {
 
 // Counts the points of each taken candidate, by its number from 1 on; [0] is not used. Empty where the store has no
 // column "class". `candidate_of` is what candidate_of_part gives (object_selection.h), `vegetation` are class codes.
-// Reads the layers "level" and "candidates". O(points).
+// Reads the layers "level", "candidates" and "structure". O(points).
 std::vector<CodedPoints> coded_points(const Store& store, const StreetTiles& tiles,
                                       std::span<const std::uint32_t> candidate_of, std::span<const int> vegetation,
                                       double least_height);
 
 // Whether class codes tell vegetation from objects. In some clouds all that is neither ground nor building has the
-// codes 3, 4 and 5, by its height alone. There the cars have them too: codes are used where of the cars and vans that
-// are sure by their form, at least half have none.
+// codes 3, 4 and 5, by its height alone, objects too. Codes are used where there are objects that are sure by their
+// form, planters aside, and at least half of them have no such code.
 struct CodesVote {
-  std::uint64_t sure = 0, coded = 0;  // cars and vans stated with 0.9 and more; those of them that are coded vegetation
-  bool used() const { return 2 * coded <= sure; }
+  std::uint64_t sure = 0, coded = 0;  // objects stated with 0.9 and more; those of them that are coded vegetation
+  bool used() const { return sure > 0 && 2 * coded <= sure; }
 };
 CodesVote vote_on_codes(std::span<const CodedPoints> counts, const SelectedObjects& selected);
 

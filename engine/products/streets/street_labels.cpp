@@ -37,7 +37,7 @@ class Verdict {
     if (above < least_) return {0, PointLabel::ground};
     const auto candidate = static_cast<std::uint32_t>(tile.candidates.values[pixel]);
     const auto structure = static_cast<Structure>(tile.structure.values[tiles_.cells().cell_of(pixel, side_)]);
-    if (is_overhead(structure) && above >= clearance_)
+    if (is_taken_out(structure, above, clearance_))
       return {0, structure == Structure::crown ? PointLabel::vegetation : PointLabel::facade};
     // What is farther below the highest point of a pixel than a roof falls is the wall below it.
     const bool on_top = above >= clearance_ && height_of(p.z) >= tile.range.values[pixel] - fall_;

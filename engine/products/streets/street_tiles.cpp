@@ -358,8 +358,7 @@ void StreetTiles::count_above(double least_height, double low_height) const {
     for_points(tile, [&](std::size_t pixel, Height z) {
       const Height ground = level.values[pixel];
       if (ground == kNoHeight || z - ground < least) return;
-      if (z - ground >= clearance &&
-          is_overhead(static_cast<Structure>(structure.values[cells_.cell_of(pixel, kSide)])))
+      if (is_taken_out(static_cast<Structure>(structure.values[cells_.cell_of(pixel, kSide)]), z - ground, clearance))
         return;
       ++above.values[pixel];
       low.values[pixel] += z - ground < low_below;

@@ -6,6 +6,7 @@
 
 #include "engine/pass/context.h"
 #include "engine/products/streets/ground/cells.h"
+#include "engine/products/streets/ground/standing_form.h"
 #include "engine/settings/settings.h"
 #include "engine/store/store.h"
 #include "engine/tiles/raster_layers.h"
@@ -41,6 +42,11 @@ double pixel_for(double density, StreetView view);
 
 // Choice: more than the height of a van. What is higher in a cell with a crown is the crown's.
 constexpr double kClearance = 2.5;  // metres above the terrain
+
+// Whether a point so high above the level was taken out with the crown or the overhang of its cell.
+inline bool is_taken_out(Structure of_cell, Height above, Height clearance) {
+  return is_overhead(of_cell) && above >= clearance;
+}
 
 // Receives each image of a tile before a step writes it. It is called from several threads at once.
 using SeeTile = std::function<void(const TileRaster& raster, const char* layer, std::size_t tile, const Image& image)>;

@@ -11,7 +11,7 @@ namespace ilot {
 // and the parts that no ray is known to have crossed, where a square of `least_size` has room. Then what else is bare
 // below the highest cell of the wall in its column, beside openings or as a part of a hole that is seen otherwise,
 // where a square of four cells has room too. `cells` are as the rays show them; `silent` marks those that count as
-// crossed without an echo. O(cells).
+// crossed without an echo. O(cells x openings).
 std::vector<UnseenArea> unseen_areas(const std::vector<WallHole>& holes, const std::vector<FoundRectangle>& found,
                                      const WallCells& cells, const std::vector<bool>& silent, double least_size);
 

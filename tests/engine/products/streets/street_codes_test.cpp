@@ -20,7 +20,7 @@ CandidateClass named(PointLabel label, double probability) {
   return c;
 }
 
-// Two sure cars, an unsure one, a bin, something that is none, and a car that is not taken.
+// Two sure cars, an unsure one, a bin that is sure, something that is none, and a car that is not taken.
 SelectedObjects some_objects() {
   SelectedObjects s;
   s.classes = {named(PointLabel::car, 0.95), named(PointLabel::van, 0.9),  named(PointLabel::car, 0.8),
@@ -48,7 +48,8 @@ TEST(StreetCodes, CodedObjectsBecomeVegetation) {
   ASSERT_EQ(record.chosen.size(), 1u);
   EXPECT_EQ(record.chosen[0].key, "streets.trust_classes");
   EXPECT_EQ(std::get<std::string>(record.chosen[0].value), "true");
-  EXPECT_NE(record.chosen[0].why.find("1 of 2 cars"), std::string::npos) << record.chosen[0].why;
+  EXPECT_NE(record.chosen[0].why.find("of 2 objects that are sure by their form 1 have"), std::string::npos)
+      << record.chosen[0].why;
   EXPECT_NE(record.chosen[0].why.find("2 objects"), std::string::npos) << record.chosen[0].why;
 }
 
@@ -57,6 +58,16 @@ TEST(StreetCodes, CodesOfHeightsAreNotUsed) {
   RunRecord record;
   name_by_codes(std::vector<CodedPoints>{{}, {10, 10}, {10, 9}, {10, 9}, {10, 10}, {10, 10}, {10, 10}}, s, record);
   for (std::size_t i = 0; i < s.classes.size(); ++i) EXPECT_EQ(s.classes[i].label, some_objects().classes[i].label);
+  EXPECT_EQ(std::get<std::string>(record.chosen.at(0).value), "false");
+}
+
+// Without an object that is sure nobody can tell.
+TEST(StreetCodes, CodesAreNotUsedWithoutSureObjects) {
+  SelectedObjects s = some_objects();
+  for (CandidateClass& c : s.classes) c.probability = 0.8;
+  RunRecord record;
+  name_by_codes(std::vector<CodedPoints>(7, {10, 10}), s, record);
+  EXPECT_EQ(s.classes[0].label, PointLabel::car);
   EXPECT_EQ(std::get<std::string>(record.chosen.at(0).value), "false");
 }
 
