@@ -4,17 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <limits>
 
+#include "kernels/delaunay/place_neighbours_body.h"
 #include "kernels/geometry/padded_points.h"
 #include "kernels/neighbours/knn.h"
 
 namespace ilot {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::infinity();
-constexpr std::size_t kMostAround = 192;  // places that a query in cells examines
-constexpr std::int32_t kMostRings = 4;    // of cells around its own
 constexpr std::size_t kPlacesPerCell = 2;
 
 constexpr int kTopLevel = 31;  // one cell for all points, because codes are below 2^62
@@ -35,99 +32,6 @@ int level_of(const PlaneOrder& order) {
 }
 
 constexpr int kMostInCells = 7;  // neighbours that the search in cells keeps
-
-// Returns the k-th smallest of squared distances, without the 0 of the query itself. They are integers below 2^50,
-// which are exact in double. They are kept in order without branches, which would be mispredicted.
-double kth_smallest(std::span<const double> squared, int k) {
-  std::array<double, kMostInCells + 1> least;
-  least.fill(kNone);
-  for (double d2 : squared)
-    for (double& slot : least) {
-      const double smaller = std::min(slot, d2);
-      d2 = std::max(slot, d2);
-      slot = smaller;
-    }
-  return least[static_cast<std::size_t>(k)];
-}
-
-// The search in cells for one query after the other.
-class CellSearch {
- public:
-  CellSearch(const PlaceCells& cells, int k, std::int64_t farthest)
-      : cells_(cells), k_(k), limit2_(farthest * farthest) {}
-
-  // Returns false when the query needs the tree.
-  bool find(Point2 place, std::int64_t& squared) {
-    const std::int32_t x = place.x - cells_.low.x, y = place.y - cells_.low.y;
-    for (std::int32_t ring = 1; ring <= kMostRings; ++ring) {
-      if (!gather(x, y, ring)) return false;
-      const std::int64_t inside2 = squared_inside(x, y, ring);
-      const double kth = kth_of_gathered();
-      if (kth <= static_cast<double>(inside2)) {
-        hint_ = 1.5 * kth;  // usually more than k places are as near
-        squared = kth <= static_cast<double>(limit2_) ? static_cast<std::int64_t>(kth) : -1;
-        return true;
-      }
-      if (inside2 >= limit2_) {
-        squared = kth <= static_cast<double>(limit2_) ? static_cast<std::int64_t>(kth) : -1;
-        return true;
-      }
-    }
-    return false;
-  }
-
- private:
-  // Collects the squared distances to all places in the cells around (x, y).
-  bool gather(std::int32_t x, std::int32_t y, std::int32_t ring) {
-    const std::int32_t column = x >> cells_.shift, row = y >> cells_.shift;
-    const std::int32_t left = std::max(0, column - ring), right = std::min(cells_.columns - 1, column + ring);
-    size_ = 0;
-    for (std::int32_t r = std::max(0, row - ring); r <= std::min(cells_.rows - 1, row + ring); ++r) {
-      const std::size_t at = static_cast<std::size_t>(r) * static_cast<std::size_t>(cells_.columns);
-      const std::uint32_t first = cells_.start[at + static_cast<std::size_t>(left)];
-      const std::uint32_t end = cells_.start[at + static_cast<std::size_t>(right) + 1];
-      if (size_ + (end - first) > kMostAround) return false;
-      for (std::uint32_t i = first; i < end; ++i) {
-        const double dx = cells_.x[i] - x, dy = cells_.y[i] - y;
-        d2_[size_ + (i - first)] = dx * dx + dy * dy;
-      }
-      size_ += end - first;
-    }
-    return true;
-  }
-
-  // Returns a distance below which there is no place outside of the gathered cells.
-  std::int64_t squared_inside(std::int32_t x, std::int32_t y, std::int32_t ring) const {
-    const auto gap = [&](std::int32_t v, std::int32_t cells) {
-      const std::int64_t low = (v >> cells_.shift) - ring, high = (v >> cells_.shift) + ring + 1;
-      std::int64_t least = std::numeric_limits<std::int32_t>::max();
-      if (low > 0) least = std::min(least, v - (low << cells_.shift));
-      if (high < cells) least = std::min(least, (high << cells_.shift) - v);
-      return least;
-    };
-    const std::int64_t g = std::min(gap(x, cells_.columns), gap(y, cells_.rows));
-    return g * g;
-  }
-
-  // The queries before give a hint of the distance, so most of the other places need not be sorted.
-  double kth_of_gathered() {
-    std::array<double, kMostAround> near;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < size_; ++i) {
-      near[count] = d2_[i];
-      count += d2_[i] <= hint_;
-    }
-    const bool enough = count > static_cast<std::size_t>(k_);
-    return kth_smallest(enough ? std::span<const double>(near.data(), count) : std::span(d2_.data(), size_), k_);
-  }
-
-  const PlaceCells& cells_;
-  int k_;
-  std::size_t size_ = 0;
-  std::int64_t limit2_;
-  double hint_ = kNone;
-  std::array<double, kMostAround> d2_;
-};
 
 void by_tree(const PlaceCells& cells, std::span<const std::uint32_t> queries, int k, std::int64_t farthest,
              std::span<std::int64_t> squared) {
@@ -174,12 +78,12 @@ PlaceCells place_cells(const PlaneOrder& order) {
   cells.start.assign(static_cast<std::size_t>(cells.columns) * static_cast<std::size_t>(cells.rows) + 2, 0);
   for (const Point2 p : order.points) ++cells.start[cell_of(p) + 2];
   for (std::size_t c = 2; c < cells.start.size(); ++c) cells.start[c] += cells.start[c - 1];
-  cells.x.resize(n);
-  cells.y.resize(n);
+  cells.x.resize(n + kPointPadding);
+  cells.y.resize(n + kPointPadding);
   for (const Point2 p : order.points) {
     const std::uint32_t to = cells.start[cell_of(p) + 1]++;
-    cells.x[to] = p.x - cells.low.x;
-    cells.y[to] = p.y - cells.low.y;
+    cells.x[to] = static_cast<float>(p.x - cells.low.x);
+    cells.y[to] = static_cast<float>(p.y - cells.low.y);
   }
   return cells;
 }
@@ -187,10 +91,12 @@ PlaceCells place_cells(const PlaneOrder& order) {
 void kth_distances(const PlaceCells& cells, std::span<const std::uint32_t> queries, int k, std::int64_t farthest,
                    std::span<std::int64_t> squared) {
   if (k > kMostInCells) return by_tree(cells, queries, k, farthest, squared);
-  CellSearch search(cells, k, farthest);
+  simd::kPlaceNeighbours.best().in_cells({cells.x.data(), cells.y.data(), cells.start.data(), cells.places.data(),
+                                          cells.low, cells.shift, cells.columns, cells.rows, queries.data(),
+                                          queries.size(), k, farthest * farthest, squared.data()});
   std::vector<std::uint32_t> left, slots;
   for (std::uint32_t q = 0; q < queries.size(); ++q) {
-    if (search.find(cells.places[queries[q]], squared[q])) continue;
+    if (squared[q] != simd::kNotInCells) continue;
     left.push_back(queries[q]);
     slots.push_back(q);
   }

@@ -17,7 +17,7 @@ struct PlaceCells {
   int shift = 0;                   // a cell is 2^shift wide
   std::int32_t columns = 0, rows = 0;
   std::vector<std::uint32_t> start;  // per cell its first place in x and y, and one past the last
-  std::vector<std::int32_t> x, y;    // the places cell by cell, relative to low
+  std::vector<float> x, y;           // the places cell by cell, relative to low; padded for vector bodies
 };
 
 // O(n). The order must outlive the cells; its extent is below 2^24.

@@ -248,4 +248,23 @@ inline void store_rounded(std::int32_t* to, D a) {
   _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm256_cvtpd_epi32(a.v));
 }
 
+// The eight least values that were added, in ascending order.
+struct Least8 {
+  __m256d low, high;
+};
+inline Least8 no_least() {
+  return {_mm256_set1_pd(__builtin_inf()), _mm256_set1_pd(__builtin_inf())};
+}
+// Adds a value from 0 on. Each slot gets the middle one of its value, the value of the slot before, and the new one.
+inline void add(Least8& s, double d) {
+  const __m256d v = _mm256_set1_pd(d);
+  const __m256d before_low = _mm256_shuffle_pd(_mm256_permute2f128_pd(s.low, s.low, 0x08), s.low, 5);  // 0 is first
+  const __m256d before_high = _mm256_shuffle_pd(_mm256_permute2f128_pd(s.low, s.high, 0x21), s.high, 5);
+  s = {_mm256_max_pd(before_low, _mm256_min_pd(s.low, v)), _mm256_max_pd(before_high, _mm256_min_pd(s.high, v))};
+}
+inline void store_least(double* to, const Least8& s) {
+  _mm256_storeu_pd(to, s.low);
+  _mm256_storeu_pd(to + 4, s.high);
+}
+
 }  // namespace ilot::simd::avx2

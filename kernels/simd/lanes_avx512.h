@@ -252,4 +252,20 @@ inline void store_rounded(std::int32_t* to, D a) {
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_cvtpd_epi32(a.v));
 }
 
+// The eight least values that were added, in ascending order.
+struct Least8 {
+  __m512d v;
+};
+inline Least8 no_least() {
+  return {_mm512_set1_pd(__builtin_inf())};
+}
+// Adds a value from 0 on. Each slot gets the middle one of its value, the value of the slot before, and the new one.
+inline void add(Least8& s, double d) {
+  const __m512i before = _mm512_alignr_epi64(_mm512_castpd_si512(s.v), _mm512_setzero_si512(), 7);  // 0 is first
+  s.v = _mm512_max_pd(_mm512_castsi512_pd(before), _mm512_min_pd(s.v, _mm512_set1_pd(d)));
+}
+inline void store_least(double* to, const Least8& s) {
+  _mm512_storeu_pd(to, s.v);
+}
+
 }  // namespace ilot::simd::avx512

@@ -3,6 +3,8 @@
 #pragma once
 #include <cstdint>
 
+#include "kernels/simd/lanes_baseline_doubles.h"
+
 #if defined(__SSE2__)
 #include <emmintrin.h>
 
@@ -319,75 +321,6 @@ inline void store_totals(std::int32_t* to, const Sum8 (&s)[8]) {
     to[n] = 0;
     for (const std::int32_t v : s[n].v) to[n] += v;
   }
-}
-
-// Double lanes and their masks.
-struct D {
-  double v[2];
-};
-struct DMask {
-  bool v[2];
-};
-constexpr std::uint32_t kDoubles = 2;
-inline D load_d(const double* p) {
-  return {p[0], p[1]};
-}
-inline D splat_d(double v) {
-  return {v, v};
-}
-inline D operator+(D a, D b) {
-  return {a.v[0] + b.v[0], a.v[1] + b.v[1]};
-}
-inline D operator-(D a, D b) {
-  return {a.v[0] - b.v[0], a.v[1] - b.v[1]};
-}
-inline D operator*(D a, D b) {
-  return {a.v[0] * b.v[0], a.v[1] * b.v[1]};
-}
-inline D operator/(D a, D b) {
-  return {a.v[0] / b.v[0], a.v[1] / b.v[1]};
-}
-inline D root(D a) {
-  return {__builtin_sqrt(a.v[0]), __builtin_sqrt(a.v[1])};
-}
-inline DMask operator<(D a, D b) {
-  return {a.v[0] < b.v[0], a.v[1] < b.v[1]};
-}
-inline DMask operator==(D a, D b) {
-  return {a.v[0] == b.v[0], a.v[1] == b.v[1]};
-}
-inline DMask operator&(DMask a, DMask b) {
-  return {a.v[0] && b.v[0], a.v[1] && b.v[1]};
-}
-inline DMask operator|(DMask a, DMask b) {
-  return {a.v[0] || b.v[0], a.v[1] || b.v[1]};
-}
-inline bool any(DMask m) {
-  return m.v[0] || m.v[1];
-}
-inline D select(DMask m, D yes, D no) {
-  return {m.v[0] ? yes.v[0] : no.v[0], m.v[1] ? yes.v[1] : no.v[1]};
-}
-inline void store_d(double* p, D a) {
-  p[0] = a.v[0];
-  p[1] = a.v[1];
-}
-// Returns two to the power of integers from -1022 to 1023. The last bits of 1.5 x 2^52 + n + 1023 are those of the
-// exponent.
-inline D power_of_two(D whole) {
-  D out;
-  for (int i = 0; i < 2; ++i) {
-    const double shifted = whole.v[i] + (0x1.8p52 + 1023);
-    std::uint64_t bits;
-    __builtin_memcpy(&bits, &shifted, sizeof bits);
-    bits <<= 52;
-    __builtin_memcpy(&out.v[i], &bits, sizeof bits);
-  }
-  return out;
-}
-// Rounds to the nearest integer, ties to even.
-inline void store_rounded(std::int32_t* to, D a) {
-  for (int i = 0; i < 2; ++i) to[i] = static_cast<std::int32_t>(__builtin_nearbyint(a.v[i]));
 }
 
 }  // namespace ilot::simd::baseline

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "kernels/delaunay/place_neighbours_body.h"
 #include "tests/support/plane_sets.h"
 
 namespace ilot {
@@ -56,6 +57,32 @@ TEST(PlaceNeighbours, EqualBruteForceWhereTheDensityJumps) {
   expect_brute_force(points);
 }
 
+// Also which queries are left to the tree.
+TEST(PlaceNeighbours, BodiesAgree) {
+  Rng rng(5);
+  std::vector<Point2> points;
+  for (int i = 0; i < 3000; ++i) points.push_back({test::draw_within(rng, 30000), test::draw_within(rng, 3000)});
+  for (int i = 0; i < 500; ++i) points.push_back({test::draw_within(rng, 40), test::draw_within(rng, 40)});
+  for (int i = 0; i < 60; ++i) points.push_back({test::draw_within(rng, 1 << 22), test::draw_within(rng, 1 << 22)});
+  const PlaneOrder order = plane_order(points);
+  const PlaceCells c = place_cells(order);
+  std::vector<std::uint32_t> queries(order.points.size());
+  std::iota(queries.begin(), queries.end(), 0u);
+  std::vector<std::int64_t> expected(queries.size()), squared(queries.size());
+  simd::PlaceNeighboursArgs args{
+      c.x.data(),     c.y.data(), c.start.data(), c.places.data(), c.low, c.shift,
+      c.columns,      c.rows,     queries.data(), queries.size(),  6,     std::int64_t{1} << 40,
+      expected.data()};
+  simd::kPlaceNeighbours.of(simd::Isa::baseline).in_cells(args);
+  EXPECT_GT(std::count(expected.begin(), expected.end(), simd::kNotInCells), 0);
+  args.squared = squared.data();
+  for (const simd::Isa isa : simd::kIsas) {
+    if (!simd::has_isa(isa)) continue;
+    simd::kPlaceNeighbours.of(isa).in_cells(args);
+    EXPECT_EQ(squared, expected) << simd::name_of(isa);
+  }
+}
+
 TEST(PlaceNeighbours, CellsHoldEveryPlaceOnce) {
   Rng rng(3);
   std::vector<Point2> points;
@@ -65,8 +92,9 @@ TEST(PlaceNeighbours, CellsHoldEveryPlaceOnce) {
   std::vector<Point2> held;
   for (std::size_t c = 0; c + 1 < cells.start.size(); ++c)
     for (std::uint32_t i = cells.start[c]; i < cells.start[c + 1]; ++i) {
-      EXPECT_EQ(static_cast<std::size_t>((cells.y[i] >> cells.shift) * cells.columns + (cells.x[i] >> cells.shift)), c);
-      held.push_back({cells.x[i] + cells.low.x, cells.y[i] + cells.low.y});
+      const auto x = static_cast<std::int32_t>(cells.x[i]), y = static_cast<std::int32_t>(cells.y[i]);
+      EXPECT_EQ(static_cast<std::size_t>((y >> cells.shift) * cells.columns + (x >> cells.shift)), c);
+      held.push_back({x + cells.low.x, y + cells.low.y});
     }
   std::vector<Point2> all = order.points;
   std::sort(all.begin(), all.end());
