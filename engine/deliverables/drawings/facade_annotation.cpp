@@ -10,6 +10,7 @@
 
 #include "engine/deliverables/drawings/dimension_style.h"
 #include "engine/deliverables/drawings/sheet_texts.h"
+#include "kernels/geometry/flat_segment.h"
 
 namespace ilot {
 namespace {
@@ -22,19 +23,6 @@ constexpr double kSameLevel = 0.5;
 // half.
 std::string in_centimetres(double metres, const Drawing& drawing) {
   return number_text(std::floor(std::round(metres * 1e4) / 100 + 0.5) / 100, 2, drawing.decimal_comma);
-}
-
-// Tells whether the segment meets the box, by clipping it to the four sides.
-bool meets(FlatPoint a, FlatPoint b, const FlatBox& box) {
-  double from = 0, to = 1;
-  const auto clip = [&](double start, double way, double low, double high) {
-    if (way == 0) return start >= low && start <= high;
-    const double t0 = (low - start) / way, t1 = (high - start) / way;
-    from = std::max(from, std::min(t0, t1));
-    to = std::min(to, std::max(t0, t1));
-    return from <= to;
-  };
-  return clip(a.x, b.x - a.x, box.min.x, box.max.x) && clip(a.y, b.y - a.y, box.min.y, box.max.y);
 }
 
 bool is_inside(FlatPoint p, const std::vector<FlatPoint>& ring) {

@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "kernels/geometry/flat_segment.h"
+
 namespace ilot {
 namespace {
 
@@ -14,22 +16,6 @@ constexpr double kLargestScale = 250;
 constexpr std::size_t kMostSheets = 40;  // Choice: a folder that one person carries
 
 using Cells = std::set<std::pair<std::int64_t, std::int64_t>>;  // row from the north, column
-
-// Whether the stretch from a to b has a place in the box (Liang and Barsky 1984).
-bool meets(FlatPoint a, FlatPoint b, const FlatBox& box) {
-  double from = 0, to = 1;
-  const auto clip = [&](double p, double q) {  // the part of the stretch with t * p <= q
-    if (p == 0) return q >= 0;
-    const double t = q / p;
-    if (p < 0)
-      from = std::max(from, t);
-    else
-      to = std::min(to, t);
-    return from <= to;
-  };
-  return clip(a.x - b.x, a.x - box.min.x) && clip(b.x - a.x, box.max.x - a.x) && clip(a.y - b.y, a.y - box.min.y) &&
-         clip(b.y - a.y, box.max.y - a.y);
-}
 
 // The cells of a grid in which something is drawn.
 class DrawnCells {

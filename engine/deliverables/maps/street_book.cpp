@@ -46,6 +46,7 @@ struct Page {
   CoverImage cover = {};
 };
 
+// By GroundCover.
 constexpr std::array<std::array<std::uint8_t, 3>, kCovers> kPalette{
     {{255, 255, 255}, {246, 244, 239}, {226, 238, 221}, {205, 201, 194}}};
 
@@ -53,12 +54,8 @@ constexpr std::array<std::array<std::uint8_t, 3>, kCovers> kPalette{
 std::vector<LegendRow> cover_legend() {
   constexpr std::array<const char*, kCovers> kNames{"", "ground that was seen", "crowns", "buildings"};
   std::vector<LegendRow> rows;
-  for (std::size_t i = 1; i < kCovers; ++i) {
-    MapShape sample;
-    sample.lines = {{{-0.9, -0.4}, {0.9, -0.4}, {0.9, 0.4}, {-0.9, 0.4}}};
-    sample.fill = MapColour{kPalette[i][0], kPalette[i][1], kPalette[i][2]};
-    rows.push_back({{sample}, kNames[i]});
-  }
+  for (std::size_t i = 1; i < kCovers; ++i)
+    rows.push_back({area_sample({kPalette[i][0], kPalette[i][1], kPalette[i][2]}), kNames[i]});
   return rows;
 }
 
@@ -77,34 +74,38 @@ CoverImage cover_of(const Page& page, Vec3 origin, double metres_per_unit, doubl
   return image;
 }
 
+// The multiples of the step, in CRS units, whose places on the map lie between the two, in metres.
+std::vector<double> round_coordinates(double least, double most, double origin, double step, double metres_per_unit) {
+  std::vector<double> all;
+  for (double i = std::ceil((origin + least / metres_per_unit) / step); (i * step - origin) * metres_per_unit <= most;
+       ++i)
+    all.push_back(i * step);
+  return all;
+}
+
 // Crosses at round coordinates, whose values stand along the left and the lower side of the frame.
 std::string grid_pdf(const Book& book, const Page& page) {
   const double unit = book.metres_per_unit, step = round_up(kGridOnPaper * page.place.scale / 1000 / unit);
-  const Vec3 origin = book.map.origin;
-  const auto first = [&](double least, double from) { return std::ceil((from + least / unit) / step); };
-  std::string out = "0.55 0.55 0.55 RG 0.1 w [] 0 d\n", labels;
   const int decimals = step >= 1 ? 0 : static_cast<int>(std::ceil(-std::log10(step)));
-  for (double i = first(page.ground.min.x, origin.x);; ++i) {
-    const double x = (i * step - origin.x) * unit;
-    if (x > page.ground.max.x) break;
-    const double at = page.place.mm(FlatPoint{x, 0}).x;
-    labels += text_pdf({{at, kFrame.min.y + 1}, kNumber, TextAnchor::middle, true}, decimal(i * step, decimals));
-    for (double j = first(page.ground.min.y, origin.y);; ++j) {
-      const double y = (j * step - origin.y) * unit;
-      if (y > page.ground.max.y) break;
-      const FlatPoint p = page.place.mm(FlatPoint{x, y});
+  const Vec3 origin = book.map.origin;
+  const auto at = [&](double x, double y) {
+    return page.place.mm(FlatPoint{(x - origin.x) * unit, (y - origin.y) * unit});
+  };
+  const auto xs = round_coordinates(page.ground.min.x, page.ground.max.x, origin.x, step, unit);
+  const auto ys = round_coordinates(page.ground.min.y, page.ground.max.y, origin.y, step, unit);
+  std::string out = "0.55 0.55 0.55 RG 0.1 w [] 0 d\n";
+  for (const double x : xs)
+    for (const double y : ys) {
+      const FlatPoint p = at(x, y);
       out += fmt::format("{0} {2} m {1} {2} l S {3} {4} m {3} {5} l S\n", decimal(p.x - kCross, 3),
                          decimal(p.x + kCross, 3), decimal(p.y, 3), decimal(p.x, 3), decimal(p.y - kCross, 3),
                          decimal(p.y + kCross, 3));
     }
-  }
-  for (double j = first(page.ground.min.y, origin.y);; ++j) {
-    const double y = (j * step - origin.y) * unit;
-    if (y > page.ground.max.y) break;
-    labels += text_pdf({{kFrame.min.x + 1, page.place.mm(FlatPoint{0, y}).y}, kNumber, TextAnchor::left, true},
-                       decimal(j * step, decimals));
-  }
-  return out + labels;
+  for (const double x : xs)
+    out += text_pdf({{at(x, origin.y).x, kFrame.min.y + 1}, kNumber, TextAnchor::middle, true}, decimal(x, decimals));
+  for (const double y : ys)
+    out += text_pdf({{kFrame.min.x + 1, at(origin.x, y).y}, kNumber, TextAnchor::left, true}, decimal(y, decimals));
+  return out;
 }
 
 // The lines of a text that is at most so wide, broken between words.
@@ -160,6 +161,7 @@ std::string number_pdf(const MapNumber& number, const MapPlace& place) {
   return text_pdf({{p.x + reach + kBeside, p.y + kBeside}, kNumber, TextAnchor::left, true}, id);
 }
 
+// The cover below, what the frame shows of the map, what is above it, and the strip beside.
 void add_page(const Book& book, const Page& page, PdfBook& pdf) {
   std::string inside;
   if (!page.cover.pixels.empty())

@@ -163,24 +163,25 @@ StreetShapes street_shapes(const StreetPlan& plan, double metres_per_unit) {
   return Shapes(plan, metres_per_unit).take();
 }
 
+std::vector<MapShape> area_sample(MapColour colour) {
+  return {area_of({{{-0.9, -0.4}, {0.9, -0.4}, {0.9, 0.4}, {-0.9, 0.4}}}, colour, "")};
+}
+
 std::vector<LegendRow> street_legend(const StreetPlan& plan) {
   std::vector<LegendRow> rows;
   const auto add = [&](std::vector<MapShape> sample, const std::string& name, std::size_t count) {
     if (count > 0) rows.push_back({std::move(sample), fmt::format("{} ({})", name, count)});
   };
-  const auto area = [](MapColour colour) {
-    return std::vector{area_of({{{-0.9, -0.4}, {0.9, -0.4}, {0.9, 0.4}, {-0.9, 0.4}}}, colour, "")};
-  };
   const auto line = [](MapColour colour, double width, double dash) {
     return std::vector{line_of({{-0.9, 0}, {0.9, 0}}, colour, width, dash, "")};
   };
-  for (const auto& [of, count] : counts_of(plan)) add(area(colour_of(of.first)), of.second, count);
+  for (const auto& [of, count] : counts_of(plan)) add(area_sample(colour_of(of.first)), of.second, count);
   std::vector<MapShape> tree;
   add_tree({0, 0}, 0.45, 0.12, 0.6, true, "", tree);
   add(tree, "tree, its crown", plan.trees.size());
   add(line(kKerb, 0.12, 0), "kerb, dashed where hidden", plan.kerbs.size());
-  add(area(kPavement), "pavement", plan.pavements.size());
-  add(area(kRoad), "carriageway", plan.carriageways.size());
+  add(area_sample(kPavement), "pavement", plan.pavements.size());
+  add(area_sample(kRoad), "carriageway", plan.carriageways.size());
   add(line(kHouse, 0.5, 0), "houses", plan.blocks.size());
   add(line(kGap, 0.2, 0.4), "gap between houses", plan.gaps.size());
   return rows;

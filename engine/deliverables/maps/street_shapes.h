@@ -54,6 +54,9 @@ struct LegendRow {
   std::string name;
 };
 
+// A sample of areas of this colour.
+std::vector<MapShape> area_sample(MapColour colour);
+
 // The kinds that are on the map, classes of objects first.
 std::vector<LegendRow> street_legend(const StreetPlan& plan);
 

@@ -118,9 +118,9 @@ void name_by_codes(std::span<const CodedPoints> counts, SelectedObjects& selecte
   }
   record.chosen.push_back(
       {"streets.trust_classes", std::string(vote.used() ? "true" : "false"),
-       fmt::format("of {1} that are sure by their form {0} have class codes of vegetation: {2}", vote.coded,
+       fmt::format("{0} of {1} that are sure by their form have class codes of vegetation: {2}", vote.coded,
                    counted(vote.sure, "object"),
-                   vote.used() ? counted(named, "object") + " of all became vegetation"
+                   vote.used() ? counted(named, "object") + " with such codes became vegetation"
                                : "these codes do not tell vegetation from objects and were not used")});
 }
 
