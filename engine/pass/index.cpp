@@ -8,6 +8,7 @@
 #include "engine/formats/row_buffer.h"
 #include "engine/formats/rows_in_box.h"
 #include "engine/pass/input_lattice.h"
+#include "engine/pass/input_stretches.h"
 #include "engine/pass/pass.h"
 #include "engine/store/column_cache.h"
 #include "engine/store/flushed.h"
@@ -19,12 +20,6 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kBytesPerPoint = 64;
 
-// Rows from which one worker makes runs: one stretch of a random-access file, or all of any other file.
-struct Task {
-  std::uint32_t file = 0;
-  std::uint64_t first = 0, count = 0;
-};
-
 // Returns rows that may be in the area, as whole stretches of the file; the others need not be read.
 std::vector<RowRange> rows_to_read(const PointReader& reader, std::uint32_t file, const IndexParams& params) {
   if (!params.rows.empty()) return params.rows[file];
@@ -34,49 +29,23 @@ std::vector<RowRange> rows_to_read(const PointReader& reader, std::uint32_t file
   return rows_in_box(reader, {at(box.min.x), at(box.min.y), at(box.max.x), at(box.max.y), {}});
 }
 
-// Divides a range of a random-access file at the boundaries, about run_points apart.
-void cut_range(const std::vector<std::uint64_t>& cuts, const RowRange& range, std::uint32_t file,
-               std::uint64_t run_points, std::vector<Task>& tasks) {
-  std::uint64_t first = range.first;
-  for (auto cut = std::upper_bound(cuts.begin(), cuts.end(), first); first < range.end; ++cut) {
-    const bool last = *cut == range.end;
-    if (!last && *(cut + 1) - first <= run_points) continue;
-    tasks.push_back({file, first, *cut - first});
-    first = *cut;
-  }
-}
-
-struct Stretches {
-  std::vector<Task> tasks;
+// What is read of the inputs.
+struct Reading {
+  std::vector<InputStretch> stretches;
   std::uint64_t skipped = 0;  // rows that need not be read
 };
 
-// Returns the rows of one run. Small inputs are divided too, so that all threads have work. The result depends only on
-// the inputs: a run that is resumed with another number of threads finds its runs again.
-std::uint64_t rows_of_run(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params) {
-  constexpr std::uint64_t kLeast = 1 << 16, kRuns = 16;
-  std::uint64_t points = 0;
-  for (const auto& input : inputs) points += input->info().points;
-  return std::min(params.run_points, std::max(kLeast, points / kRuns));
-}
-
-Stretches stretches(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params) {
-  Stretches result;
-  const std::uint64_t rows = rows_of_run(inputs, params);
+Reading reading_of(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params) {
+  Reading reading;
+  std::vector<std::vector<RowRange>> rows;
   for (std::uint32_t f = 0; f < inputs.size(); ++f) {
-    const std::uint64_t points = inputs[f]->info().points;
-    if (!inputs[f]->random_access()) {
-      result.tasks.push_back({f, 0, points});
-      continue;
-    }
-    result.skipped += points;
-    const std::vector<std::uint64_t> cuts = inputs[f]->boundaries();
-    for (const RowRange& range : rows_to_read(*inputs[f], f, params)) {
-      cut_range(cuts, range, f, rows, result.tasks);
-      result.skipped -= range.end - range.first;
-    }
+    rows.push_back(rows_to_read(*inputs[f], f, params));
+    if (!inputs[f]->random_access()) continue;
+    reading.skipped += inputs[f]->info().points;
+    for (const RowRange& range : rows.back()) reading.skipped -= range.end - range.first;
   }
-  return result;
+  reading.stretches = cut_inputs(inputs, rows, params.run_points);
+  return reading;
 }
 
 fs::path stem_of(const fs::path& folder, std::uint32_t file, std::uint64_t first) {
@@ -86,7 +55,7 @@ fs::path stem_of(const fs::path& folder, std::uint32_t file, std::uint64_t first
 }
 
 // A stretch that is longer than a run (an input without random access) becomes several runs, front to back.
-std::vector<SortedRun> make_runs(PointReader& reader, const Task& task, const IndexParams& params,
+std::vector<SortedRun> make_runs(PointReader& reader, const InputStretch& task, const IndexParams& params,
                                  const fs::path& folder, const PassContext& context) {
   std::vector<SortedRun> runs;
   for (std::uint64_t done = 0; done < task.count;) {
@@ -102,16 +71,12 @@ std::vector<SortedRun> make_runs(PointReader& reader, const Task& task, const In
   return runs;
 }
 
-// Runs need only places, class and flags; later readers need all fields again.
-void limit_inputs(const std::vector<std::unique_ptr<PointReader>>& inputs, std::uint32_t fields) {
-  for (const auto& input : inputs) input->limit_to(fields);
-}
-
-std::vector<SortedRun> all_runs(const std::vector<std::unique_ptr<PointReader>>& inputs, const std::vector<Task>& tasks,
-                                const IndexParams& params, const fs::path& folder, const PassContext& context) {
+std::vector<SortedRun> all_runs(const std::vector<std::unique_ptr<PointReader>>& inputs,
+                                const std::vector<InputStretch>& tasks, const IndexParams& params,
+                                const fs::path& folder, const PassContext& context) {
   std::vector<std::vector<SortedRun>> parts(tasks.size());
   std::vector<PassTask> costs;
-  for (const Task& t : tasks)
+  for (const InputStretch& t : tasks)
     costs.push_back({std::min(t.count, 2 * params.run_points) * kBytesPerPoint + kRowBytes, t.count});
   run_pass(costs, context.budget_bytes,
            [&](std::size_t i) { parts[i] = make_runs(*inputs[tasks[i].file], tasks[i], params, folder, context); });
@@ -126,16 +91,6 @@ CoarseCells cells_of(const std::vector<SortedRun>& runs, int bits) {
   CoarseCells cells(bits);
   for (const SortedRun& run : runs) cells.merge(coarse_cells_of(run));
   return cells;
-}
-
-Index3 least_corner(const CoarseCells& cells, const Strays& strays) {
-  constexpr std::int64_t kFar = std::int64_t{1} << 52;
-  Index3 least{kFar, kFar, kFar};
-  for (const auto& [cell, content] : cells.cells()) {
-    const Index3 at{cell.x * cells.edge(), cell.y * cells.edge(), cell.z * cells.edge()};
-    if (!strays.contains(at)) least = {std::min(least.x, at.x), std::min(least.y, at.y), std::min(least.z, at.z)};
-  }
-  return cells.cells().empty() ? Index3{} : least;
 }
 
 // Returns how many points of the runs are in no block.
@@ -180,15 +135,18 @@ InputLattice write_index(const std::vector<std::unique_ptr<PointReader>>& inputs
                          const IndexFiles& files, const PassContext& context) {
   IndexParams with_cells = params;
   with_cells.filter.coarse_bits = coarse_bits(params.unit * context.metres_per_unit);
-  const auto [tasks, skipped] = stretches(inputs, params);
+  const auto [tasks, skipped] = reading_of(inputs, params);
   context.advance(skipped);
-  limit_inputs(inputs, kFieldZ | kFieldClass | kFieldFlags);
+  limit_inputs(inputs, kFieldZ | kFieldClass | kFieldFlags);  // all that runs need; later readers need the others
   const std::vector<SortedRun> runs = all_runs(inputs, tasks, with_cells, files.folder, context);
   limit_inputs(inputs, kAllFields);
   const CoarseCells cells = cells_of(runs, *with_cells.filter.coarse_bits);
   const Strays strays = params.keep_strays ? Strays() : params.strays ? *params.strays : find_strays(cells);
   const InputLattice asked{params.unit, params.multiple};
-  const InputLattice needed = checked_lattice(asked, inputs, runs, strays, context.metres_per_unit, params.finest_step);
+  std::vector<std::vector<Index3>> off_lattice;
+  for (const SortedRun& run : runs) off_lattice.push_back(run.off_lattice);
+  const InputLattice needed =
+      checked_lattice(asked, inputs, off_lattice, strays, context.metres_per_unit, params.finest_step);
   if (!(needed == asked)) {
     write_column<InputLattice>(files.lattice(), std::span(&needed, 1));
     return needed;

@@ -101,15 +101,15 @@ InputLattice common_lattice(const std::vector<std::unique_ptr<PointReader>>& inp
 }
 
 InputLattice checked_lattice(const InputLattice& lattice, const std::vector<std::unique_ptr<PointReader>>& inputs,
-                             const std::vector<SortedRun>& runs, const Strays& strays, double metres_per_unit,
-                             double finest_step) {
+                             std::span<const std::vector<Index3>> off_lattice, const Strays& strays,
+                             double metres_per_unit, double finest_step) {
   std::int64_t divisor = lattice.multiple;
   const auto on_lattice = [&](std::int64_t v) {
     return static_cast<std::int64_t>(std::nearbyint(static_cast<double>(v) / static_cast<double>(lattice.multiple)));
   };
-  for (const SortedRun& run : runs) {
-    const bool all_known = run.off_lattice.size() < kMostOffLattice;
-    for (const Index3& p : run.off_lattice) {
+  for (const std::vector<Index3>& places : off_lattice) {
+    const bool all_known = places.size() < kMostOffLattice;
+    for (const Index3& p : places) {
       if (all_known && strays.contains({on_lattice(p.x), on_lattice(p.y), on_lattice(p.z)})) continue;
       divisor = std::gcd(divisor, std::gcd(p.x, std::gcd(p.y, p.z)));
     }

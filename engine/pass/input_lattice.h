@@ -2,10 +2,11 @@
 // Finds one lattice for all inputs that is no finer than their coordinates need.
 #pragma once
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "engine/formats/reader.h"
-#include "engine/store/sorted_run.h"
+#include "engine/store/lattice_rows.h"
 #include "engine/store/strays.h"
 #include "ilot/settings.h"
 
@@ -25,9 +26,10 @@ InputLattice common_lattice(const std::vector<std::unique_ptr<PointReader>>& inp
                             double finest_step = kFinestStep);
 
 // Returns the lattice that the points really need after all of them are read: the one with which they were read, or a
-// finer one with which they must be read again. Strays are not considered.
+// finer one with which they must be read again. `off_lattice` has the places beside the lattice of each part that was
+// read (LatticeRowReader::off_lattice). Strays are not considered.
 InputLattice checked_lattice(const InputLattice& lattice, const std::vector<std::unique_ptr<PointReader>>& inputs,
-                             const std::vector<SortedRun>& runs, const Strays& strays, double metres_per_unit,
-                             double finest_step = kFinestStep);
+                             std::span<const std::vector<Index3>> off_lattice, const Strays& strays,
+                             double metres_per_unit, double finest_step = kFinestStep);
 
 }  // namespace ilot

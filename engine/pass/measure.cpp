@@ -125,11 +125,11 @@ CloudMeasure measure_cloud(PointReader& reader, const std::function<void(std::ui
   if (m.points == 0) return m;
   if (!strays.cells().empty()) leave_out(strays, reader, lattice, advance, m);
   const auto total = static_cast<double>(m.points - m.strays);
-  const MeasureGrid cells = density_cells(m.min, m.max, total), windows = step_windows(m.min, m.max, total);
-  std::vector<bool> occupied(cells.columns * cells.rows);
-  SampledWindows chosen;
-  std::uint64_t last_returns = 0;
   const double metres = info.crs.metres_per_unit, metres_z = info.crs.metres_per_unit_z;
+  const MeasureGrid cells = density_cells(m.min, m.max, total);
+  std::vector<bool> occupied(cells.columns * cells.rows);
+  SampledWindows chosen(step_windows(m.min, m.max, total), m.min, {metres, metres, metres_z});
+  std::uint64_t last_returns = 0;
   for_each_row(reader, advance, [&](const std::byte* row) {
     const auto at = m.strays > 0 ? lattice.at(row) : std::nullopt;
     if (at && strays.contains(*at)) return;
@@ -137,7 +137,7 @@ CloudMeasure measure_cloud(PointReader& reader, const std::function<void(std::ui
     const PointFields f = decode_fields({row, standard_size(info.layout.point_format)}, info.layout.point_format);
     last_returns += f.return_number >= f.return_count;
     occupied[cells.cell(p)] = true;
-    chosen.add(windows.cell(p), {(p.x - m.min.x) * metres, (p.y - m.min.y) * metres, (p.z - m.min.z) * metres_z});
+    chosen.add(p);
   });
   const auto full = static_cast<double>(std::count(occupied.begin(), occupied.end(), true));
   m.occupied_area = full * cells.side * cells.side * metres * metres;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <tuple>
 
 #include "kernels/core/quantile.h"
 #include "kernels/core/rng.h"
@@ -16,6 +17,21 @@ constexpr double kPointsPerCell = 16;
 constexpr std::size_t kWindows = 32;  // where the sampling step is measured
 constexpr double kPointsPerWindow = 2000;
 constexpr std::size_t kMostPerWindow = 8192;
+
+Vec3 scaled(Vec3 p, Vec3 by) {
+  return {p.x * by.x, p.y * by.y, p.z * by.z};
+}
+
+// Keeps the kMostPerWindow points nearest to a place in plan.
+void keep_nearest(std::vector<Vec3>& points, Vec3 to) {
+  if (points.size() <= kMostPerWindow) return;
+  const auto key = [&](Vec3 p) {
+    return std::tuple((p.x - to.x) * (p.x - to.x) + (p.y - to.y) * (p.y - to.y), p.x, p.y, p.z);
+  };
+  std::nth_element(points.begin(), points.begin() + kMostPerWindow, points.end(),
+                   [&](Vec3 a, Vec3 b) { return key(a) < key(b); });
+  points.resize(kMostPerWindow);
+}
 
 // Adds the squared distance from each point to its nearest other place, by sweeping along x.
 void add_steps(std::vector<Vec3>& points, std::vector<double>& steps) {
@@ -54,6 +70,11 @@ std::size_t MeasureGrid::cell(Vec3 p) const {
   return row * columns + column;
 }
 
+Vec3 MeasureGrid::middle(std::size_t cell) const {
+  return {x + (static_cast<double>(cell % columns) + 0.5) * side,
+          y + (static_cast<double>(cell / columns) + 0.5) * side, 0};
+}
+
 MeasureGrid density_cells(Vec3 min, Vec3 max, double points) {
   const double most = static_cast<double>(kCellsPerSide) * static_cast<double>(kCellsPerSide);
   return {min, max, std::min(std::max(1.0, points / kPointsPerCell), most), static_cast<double>(kCellsPerSide)};
@@ -63,33 +84,49 @@ MeasureGrid step_windows(Vec3 min, Vec3 max, double points) {
   return {min, max, std::max(1.0, points / kPointsPerWindow), 0x1p20};
 }
 
-std::vector<Vec3>* SampledWindows::points_of(std::uint64_t key) {
-  const auto found = points_.find(key);
-  if (found != points_.end()) return &found->second;
-  if (points_.size() == kWindows && key > points_.rbegin()->first) return nullptr;
-  std::vector<Vec3>* list = &points_[key];
-  if (points_.size() > kWindows) points_.erase(std::prev(points_.end()));
-  return list;
+SampledWindows::SampledWindows(const MeasureGrid& windows, Vec3 origin, Vec3 metres)
+    : windows_(windows), origin_(origin), metres_(metres) {}
+
+// The window with this key, if it is among those with the smallest keys.
+SampledWindows::Window* SampledWindows::kept(std::uint64_t key) {
+  const auto found = kept_.find(key);
+  if (found != kept_.end()) return &found->second;
+  if (kept_.size() == kWindows && key > kept_.rbegin()->first) return nullptr;
+  Window* window = &kept_[key];
+  if (kept_.size() > kWindows) kept_.erase(std::prev(kept_.end()));
+  return window;
 }
 
-void SampledWindows::add(std::size_t window, Vec3 p) {
-  std::vector<Vec3>* list = points_of(mix64(window));
-  if (list != nullptr && list->size() < kMostPerWindow) list->push_back(p);
+SampledWindows::Window* SampledWindows::window_of(std::size_t cell) {
+  Window* window = kept(mix64(cell));
+  if (window != nullptr && window->points.empty())
+    window->middle = scaled(windows_.middle(cell) - Vec3{origin_.x, origin_.y, 0}, metres_);
+  return window;
 }
 
-void SampledWindows::add(const SampledWindows& next) {
-  for (const auto& [key, points] : next.points_) {
-    std::vector<Vec3>* list = points_of(key);
-    if (list == nullptr) continue;
-    const std::size_t room = kMostPerWindow - std::min(kMostPerWindow, list->size());
-    list->insert(list->end(), points.begin(),
-                 points.begin() + static_cast<std::ptrdiff_t>(std::min(room, points.size())));
+void SampledWindows::add(Vec3 p) {
+  Window* window = window_of(windows_.cell(p));
+  if (window == nullptr) return;
+  window->points.push_back(scaled(p - origin_, metres_));
+  if (window->points.size() == 2 * kMostPerWindow) keep_nearest(window->points, window->middle);
+}
+
+void SampledWindows::add(const SampledWindows& other) {
+  for (const auto& [key, theirs] : other.kept_) {
+    Window* window = kept(key);
+    if (window == nullptr) continue;
+    window->middle = theirs.middle;
+    window->points.insert(window->points.end(), theirs.points.begin(), theirs.points.end());
+    keep_nearest(window->points, window->middle);
   }
 }
 
 double SampledWindows::median_step() {
   std::vector<double> steps;
-  for (auto& [key, points] : points_) add_steps(points, steps);
+  for (auto& [key, window] : kept_) {
+    keep_nearest(window.points, window.middle);
+    add_steps(window.points, steps);
+  }
   return steps.empty() ? 0 : std::sqrt(upper_median(steps));
 }
 

@@ -11,6 +11,7 @@
 #include "engine/pass/index.h"
 #include "engine/pass/input_lattice.h"
 #include "engine/pass/kept_columns.h"
+#include "engine/pass/measure_store.h"
 #include "engine/pass/resident.h"
 #include "engine/products/facades/facade_edits.h"
 #include "engine/products/planes/cells/cells.h"
@@ -164,13 +165,13 @@ void make_products(const RunOptions& options, const RunInputs& inputs, const std
   progress.begin_stage("index", inputs.points);
   const IndexResult index = make_index(options, inputs, sites, out, context);
   note_rounding(index.lattice, inputs, progress);
-  warn_of_strays(index, progress, record);
+  warn_of_strays(index.rejected[static_cast<std::size_t>(Rejection::stray)], progress, record);
   if (index.store.points() == 0) {
     out.discard();
     throw Error(why_no_point(options.area, inputs.readers));
   }
 
-  warn_of_unsuited(options.products, inputs, index.store, context, progress, record);
+  warn_of_unsuited(options.products, inputs, measure_store(index.store, context), progress, record);
 
   std::filesystem::create_directories(out.staging());
   const std::vector<const Product*> products = products_to_make(options.products);

@@ -3,8 +3,7 @@
 
 namespace ilot {
 
-void warn_of_strays(const IndexResult& index, Progress& progress, RunRecord& record) {
-  const std::uint64_t strays = index.rejected[static_cast<std::size_t>(Rejection::stray)];
+void warn_of_strays(std::uint64_t strays, Progress& progress, RunRecord& record) {
   if (strays == 0) return;
   const std::string text = grouped(strays) + (strays == 1 ? " point stands" : " points stand") +
                            " alone, far from all others, and " + (strays == 1 ? "is" : "are") +

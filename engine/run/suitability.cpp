@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "engine/formats/crs.h"
-#include "engine/pass/measure_store.h"
 #include "engine/report/progress.h"
 #include "engine/run/products.h"
 
@@ -61,12 +60,12 @@ std::vector<CloudSuitability> suitability(const CloudInfo& info, const CloudMeas
   return all;
 }
 
-void warn_of_unsuited(const std::vector<std::string>& products, const RunInputs& inputs, const Store& store,
-                      const PassContext& context, Progress& progress, RunRecord& record) {
+void warn_of_unsuited(const std::vector<std::string>& products, const RunInputs& inputs, const CloudMeasure& measure,
+                      Progress& progress, RunRecord& record) {
   CloudInfo info;
   info.crs = inputs.crs;
   info.stations = inputs.stations;
-  for (const CloudSuitability& s : suitability(info, measure_store(store, context))) {
+  for (const CloudSuitability& s : suitability(info, measure)) {
     if (s.yes || std::find(products.begin(), products.end(), s.product) == products.end()) continue;
     record.warnings.push_back(s.product + ": the cloud does not suit it: " + s.reason);
     progress.warn(record.warnings.back());

@@ -18,9 +18,9 @@ namespace ilot {
 std::vector<CloudSuitability> suitability(const CloudInfo& info, const CloudMeasure& measure);
 
 // Warns of each of these products for which the points of a run, or of a plan, are not suitable: the answers "no" of
-// suitability() over what is in the store. Such a product is made nevertheless.
-void warn_of_unsuited(const std::vector<std::string>& products, const RunInputs& inputs, const Store& store,
-                      const PassContext& context, Progress& progress, RunRecord& record);
+// suitability() over what the run uses. Such a product is made nevertheless.
+void warn_of_unsuited(const std::vector<std::string>& products, const RunInputs& inputs, const CloudMeasure& measure,
+                      Progress& progress, RunRecord& record);
 
 // Returns a warning about the distance between points when it is 0, above 10 m or below 0.1 mm; then the unit is
 // probably wrong.

@@ -17,6 +17,7 @@
 #include "engine/scale/area_key.h"
 #include "engine/scale/chunk_boxes.h"
 #include "engine/scale/parts/cell_part.h"
+#include "engine/scale/plan_areas.h"
 #include "engine/scale/plan_products.h"
 #include "engine/scale/plan_sites.h"
 
@@ -31,13 +32,13 @@ constexpr std::uint64_t kLeastMemory = 96u << 20;
 constexpr std::uint64_t kPartBytesOfSite = 2000;
 
 // What a task of this area will need. Memory: what a run of few threads needs, and the sites of the area.
-void estimate_area(const PointMap& map, std::uint64_t neighbours, const Plan& plan, PlanArea& area) {
+void estimate_area(const PointSurvey& survey, std::uint64_t neighbours, const Plan& plan, PlanArea& area) {
   constexpr std::uint64_t kBytesOfSiteInMemory = 2000;  // Choice: an outline of some ten corners, its record and map
-  area.points = map.in(area.read);
+  area.points = survey.map.in(area.read);
   std::uint64_t rows = 0;
   for (std::uint32_t i = 0; i < plan.inputs.size(); ++i) {
     const std::uint64_t before = rows;
-    for (const RowRange& range : rows_that_meet(map.inputs[i], area.read)) rows += range.end - range.first;
+    for (const RowRange& range : rows_that_meet(survey.chunks[i], area.read)) rows += range.end - range.first;
     if (rows == before) continue;
     area.inputs.push_back(i);
     const double share = static_cast<double>(rows - before) / static_cast<double>(plan.inputs[i].record.points);
@@ -47,7 +48,7 @@ void estimate_area(const PointMap& map, std::uint64_t neighbours, const Plan& pl
   area.processor_seconds = kMicroseconds * (static_cast<double>(rows) * kReading +
                                             static_cast<double>(area.points) * microseconds_of_point(plan));
   area.memory_bytes = kLeastMemory + (area.sites + neighbours) * kBytesOfSiteInMemory;
-  area.part_bytes = area.sites * kPartBytesOfSite + map.in(area.own) * part_bytes_of_point(plan, area);
+  area.part_bytes = area.sites * kPartBytesOfSite + survey.map.in(area.own) * part_bytes_of_point(plan, area);
 }
 
 void check_count(std::size_t areas) {
@@ -87,21 +88,21 @@ Halos halos_of(const Plan& plan, const SitePointsParams& points, double step) {
 
 }  // namespace
 
-void cut_plan(const PlanOptions& options, double step, const PointMap& map, std::span<const PlannedSite> sites,
+void cut_plan(const PlanOptions& options, double step, const PointSurvey& survey, std::span<const PlannedSite> sites,
               Plan& plan) {
   SitePointsParams points;
   points.margin = plan.settings.roofs.margin;
   const Halos halos = halos_of(plan, points, step);
   plan.halo = halos.larger;
   plan.halo_why = halos.why;
-  plan.area_size = options.area_size > 0 ? options.area_size : suitable_area_size(map, step, plan.halo);
+  plan.area_size = options.area_size > 0 ? options.area_size : suitable_area_size(survey.map, step, plan.halo);
   std::vector<PlanArea> cells;
   if (carries_points(plan)) {  // the number of cells whose side is nearest to the one that is asked for
     const std::int64_t edge = largest_cell(step);
     const double cell = static_cast<double>(edge) * step;
     const std::int64_t side = std::max<std::int64_t>(1, std::llround(plan.area_size / cell));
     plan.area_size = static_cast<double>(side) * cell;
-    cells = cut_cell_areas(map, {edge, side, halos.cells});
+    cells = cut_cell_areas(survey.map, {edge, side, halos.cells});
   }
   const std::vector<AreaSites> areas =
       cut_areas(sites, std::move(cells), step, {plan.area_size, halos.outlines, reach_of(points)});
@@ -113,7 +114,7 @@ void cut_plan(const PlanOptions& options, double step, const PointMap& map, std:
   if (makes_roofs(plan)) fs::create_directories(folder);
   for (const AreaSites& a : areas) {
     PlanArea& area = plan.areas.emplace_back(a.area);
-    estimate_area(map, a.neighbours.size(), plan, area);
+    estimate_area(survey, a.neighbours.size(), plan, area);
     std::string decides;
     if (makes_roofs(plan)) decides = write_sites(folder / std::to_string(plan.areas.size()), a, sites, marks, area);
     area.key = area_key(plan, area, decides);

@@ -18,8 +18,7 @@
 #include "engine/pass/resident.h"
 #include "engine/products/roofs/footprint_outcome.h"
 #include "engine/products/roofs/footprint_plan.h"
-#include "engine/products/roofs/make_roofs.h"
-#include "engine/products/roofs/roof_roles.h"
+#include "engine/products/roofs/roof_setup.h"
 #include "engine/report/counted.h"
 #include "engine/report/sha256.h"
 #include "engine/run/check_settings.h"
@@ -35,10 +34,10 @@
 #include "engine/scale/chunk_boxes.h"
 #include "engine/scale/cut_plan.h"
 #include "engine/scale/plan.h"
-#include "engine/scale/plan_areas.h"
 #include "engine/scale/plan_products.h"
 #include "engine/scale/plan_sites.h"
 #include "engine/scale/plan_update.h"
+#include "engine/scale/survey/survey_points.h"
 #include "engine/store/flushed.h"
 #include "engine/version.h"
 #include "engine/whole_file.h"
@@ -101,9 +100,7 @@ std::string sum_of_file(const fs::path& path) {
   return sum.hex();
 }
 
-// The index of all points, as one run makes it: it decides the lattice, the strays and the corner.
-IndexResult index_all(const RunOptions& options, const RunInputs& inputs, const fs::path& store,
-                      std::uint64_t block_points, PassContext& context) {
+IndexParams params_of(const RunOptions& options, std::uint64_t block_points) {
   IndexParams p;
   for (const int code : options.settings.classes.noise) p.filter.noise.set(static_cast<std::size_t>(code));
   p.finest_step = options.settings.index.finest_step;
@@ -111,57 +108,82 @@ IndexResult index_all(const RunOptions& options, const RunInputs& inputs, const 
   if (std::ranges::any_of(products_to_make(options.products), &Product::reads_classes))
     p.classes = ClassColumns::written;
   p.block_points = p.run_points = block_points;
-  InputLattice lattice = common_lattice(inputs.readers, inputs.crs.metres_per_unit, p.finest_step);
+  return p;
+}
+
+// Reads all points. Sets the lattice in the parameters and the context.
+PointSurvey survey_all(const RunOptions& options, const RunInputs& inputs, IndexParams& params, PassContext& context,
+                       Progress& progress) {
+  InputLattice lattice = common_lattice(inputs.readers, inputs.crs.metres_per_unit, params.finest_step);
   for (;;) {
-    p.unit = lattice.unit;
-    p.multiple = lattice.multiple;
+    params.unit = lattice.unit;
+    params.multiple = lattice.multiple;
+    params.filter.coarse_bits = coarse_bits(lattice.unit * inputs.crs.metres_per_unit);
     set_lattice(options, inputs, lattice, context);
-    IndexResult index = build_index(inputs.readers, p, store, context);
-    context.corner = index.corner;
-    if (index.lattice == lattice) return index;
-    lattice = index.lattice;
+    progress.begin_stage("survey", inputs.points);
+    PointSurvey survey = survey_points(inputs.readers, params, context);
+    progress.end_stage();
+    if (survey.lattice == lattice) {
+      context.corner = survey.corner;
+      return survey;
+    }
+    lattice = survey.lattice;
   }
 }
 
-void freeze_index(const IndexResult& index, const RunInputs& inputs, const PassContext& context, Plan& plan) {
-  plan.lattice = index.lattice;
-  plan.rounding = context.rounding;
-  plan.corner = index.corner;
-  plan.stray_bits = coarse_bits(index.lattice.unit * context.metres_per_unit);
-  plan.strays = index.strays.cells();
-  plan.points = inputs.points;
-  for (std::size_t i = 0; i < kRejections; ++i)
-    if (index.rejected[i] > 0) plan.rejected[kRejectionNames[i]] = index.rejected[i];
+CloudMeasure measure_of(const RunInputs& inputs, const IndexParams& params, const PointSurvey& survey,
+                        const PassContext& context, Progress& progress) {
+  if (survey.measure) return *survey.measure;
+  progress.begin_stage("measure", inputs.points);
+  const CloudMeasure measure = measure_points(inputs.readers, params, survey, context);
+  progress.end_stage();
+  return measure;
 }
 
-// The map of all points; leaves in the folder where the chunks of the inputs are.
-PointMap mapped(const fs::path& folder, const RunInputs& inputs, const IndexResult& index, const PassContext& context,
-                Plan& plan) {
-  PointMap map = map_points(index.store, chunks_of(inputs.readers), context);
+void freeze_survey(const fs::path& folder, const PointSurvey& survey, const RunInputs& inputs,
+                   const PassContext& context, Plan& plan) {
+  plan.lattice = survey.lattice;
+  plan.rounding = context.rounding;
+  plan.corner = survey.corner;
+  plan.stray_bits = coarse_bits(survey.lattice.unit * context.metres_per_unit);
+  plan.strays = survey.strays.cells();
+  plan.points = inputs.points;
+  for (std::size_t i = 0; i < kRejections; ++i)
+    if (survey.rejected[i] > 0) plan.rejected[kRejectionNames[i]] = survey.rejected[i];
   fs::remove_all(folder / kChunksFolder);
   fs::create_directories(folder / kChunksFolder);
   for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
-    plan.inputs[i].box = map.inputs[i].all();
-    write_chunks(folder / kChunksFolder / std::to_string(i + 1), map.inputs[i]);
+    plan.inputs[i].box = survey.chunks[i].all();
+    write_chunks(folder / kChunksFolder / std::to_string(i + 1), survey.chunks[i]);
   }
-  return map;
 }
 
-// Returns the sites.
-std::vector<PlannedSite> freeze_roofs(const PlanOptions& options, const RunInputs& inputs, const IndexResult& index,
-                                      std::vector<PlannedSite> given, const PassContext& context, Progress& progress,
-                                      RunRecord& record, Plan& plan) {
-  const RunOptions& run = options.run;
-  std::vector<PlannedSite> sites = find_sites(options, index, std::move(given), context, progress, record, plan);
-  {
-    const RoofSetup setup(index.store, sites, run.settings, inputs.crs, context);
-    plan.roofs.frame = {setup.file.city_json.origin, setup.file.city_json.extent, setup.file.further};
-    if (record.footprints) record.footprints->overlaps = overlaps_of(sites, setup.map);
-  }
-  plan.roofs.footprints = record.footprints;
-  plan.roofs.extent = extent_of_points(index.store, context);
-  plan.roofs.sites = sites.size();
+// The sites that are found in the cloud: this alone needs a store of all points.
+std::vector<PlannedSite> found_sites(const PlanOptions& options, const RunInputs& inputs, const IndexParams& params,
+                                     const PassContext& context, Progress& progress, RunRecord& record, Plan& plan) {
+  const fs::path store = options.run.store.empty() ? options.run.output / ".store" : options.run.store;
+  fs::remove_all(store);
+  fs::create_directories(store);
+  open_flushed(store);
+  progress.begin_stage("index", inputs.points);
+  const IndexResult index = build_index(inputs.readers, params, store, context);
+  progress.end_stage();
+  std::vector<PlannedSite> sites = find_sites(options, index.store, context, progress, record, plan);
+  fs::remove_all(store);
   return sites;
+}
+
+void freeze_roofs(const PointSurvey& survey, std::span<const PlannedSite> sites, const PassContext& context,
+                  RunRecord& record, Plan& plan) {
+  plan.roofs.frame = roof_frame(survey.box, survey.lattice.unit, sites, context);
+  if (record.footprints) record.footprints->overlaps = overlaps_of(sites, map_of_outlines(sites));
+  plan.roofs.footprints = record.footprints;
+  plan.roofs.extent = extent_of_points(survey.box, survey.lattice.unit * context.metres_per_unit);
+  plan.roofs.sites = sites.size();
+  if (plan.roofs.by_shape)
+    plan.chosen.push_back({"roofs.trust_classes", std::string("false"),
+                           "no point of classes.building is used; ground and buildings are found by shape"});
+  plan.chosen.insert(plan.chosen.end(), record.chosen.begin(), record.chosen.end());
 }
 
 Plan begun(const PlanOptions& options, const RunInputs& inputs, const RunRecord& record) {
@@ -190,31 +212,31 @@ Plan begun(const PlanOptions& options, const RunInputs& inputs, const RunRecord&
   return plan;
 }
 
-// Everything but the index was checked before this: from here on the folder is written.
+// Everything but the points was checked before this: from here on the folder is written.
 void fill_folder(const PlanOptions& options, const RunInputs& inputs, std::vector<PlannedSite> given,
                  Progress& progress, RunRecord& record) {
   const RunOptions& run = options.run;
-  const fs::path folder = run.output, store = run.store.empty() ? folder / ".store" : run.store;
+  const fs::path folder = run.output;
   Plan plan = begun(options, inputs, record);
-  fs::remove_all(store);
-  fs::create_directories(store);
-  open_flushed(store);
   const std::uint64_t block_points = affordable_block_points(run, thread_count());
   PassContext context = pass_context(run, inputs, block_points, progress);
-  progress.begin_stage("index", inputs.points);
-  const IndexResult index = index_all(run, inputs, store, block_points, context);
-  progress.end_stage();
-  warn_of_strays(index, progress, record);
-  if (index.store.points() == 0) throw Error("none of the points of the inputs can be used; ilot info says why");
-  warn_of_unsuited(run.products, inputs, index.store, context, progress, record);
-  freeze_index(index, inputs, context, plan);
-  const PointMap map = mapped(folder, inputs, index, context, plan);
-  if (makes_roofs(plan))
-    given = freeze_roofs(options, inputs, index, std::move(given), context, progress, record, plan);
-  cut_plan(options, index.store.unit() * context.metres_per_unit, map, given, plan);
+  IndexParams params = params_of(run, block_points);
+  const PointSurvey survey = survey_all(run, inputs, params, context, progress);
+  warn_of_strays(survey.rejected[static_cast<std::size_t>(Rejection::stray)], progress, record);
+  if (survey.points == 0) throw Error("none of the points of the inputs can be used; ilot info says why");
+  if (carries_points(plan)) refuse_many_tiles(survey.tiles);  // the merge makes one store
+  warn_of_unsuited(run.products, inputs, measure_of(inputs, params, survey, context, progress), progress, record);
+  freeze_survey(folder, survey, inputs, context, plan);
+  if (makes_roofs(plan)) {
+    if (run.footprints.empty())
+      given = found_sites(options, inputs, params, context, progress, record, plan);
+    else
+      find_roles(survey.classes, plan);
+    freeze_roofs(survey, given, context, record, plan);
+  }
+  cut_plan(options, survey.lattice.unit * context.metres_per_unit, survey, given, plan);
   plan.skipped = record.skipped;
   plan.warnings = record.warnings;
-  fs::remove_all(store);
   fs::create_directories(folder / kPartsFolder);
   if (!options.update.empty()) {
     const std::uint64_t kept = keep_parts(options.update, read_plan(options.update), plan, folder);

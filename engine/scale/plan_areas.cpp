@@ -3,54 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <set>
 
-#include "engine/pass/pass.h"
+#include "engine/products/roofs/roof_setup.h"
 
 namespace ilot {
 namespace {
 
 constexpr double kMillimetresPerMetre = 1000;
-// Choice: smaller than the halo of any product, so that the estimate of points is not far off.
-constexpr double kSquareMetres = 16;  // greatest side of a square in which points are counted
-constexpr std::uint64_t kBytesToMap = 24;
 // Choice: a task of some minutes; larger ones lose more when a worker dies, smaller ones read more halo.
 constexpr double kPointsOfArea = 10e6;
 // Choice: halos are then at most half of what is read.
 constexpr double kLeastHalos = 5;  // side of an area in halos
 constexpr double kRoundTo = 10;    // metres
-
-using Chunk = std::pair<std::uint32_t, std::size_t>;  // input, and number in it
-
-// The points of one block: in squares, and the boxes of those of each chunk.
-struct BlockMap {
-  std::map<std::pair<std::int64_t, std::int64_t>, std::uint64_t> squares;
-  std::map<Chunk, IndexBox> chunks;
-};
-
-BlockMap map_of_block(const Store& store, std::uint32_t block, std::span<const ChunkBoxes> inputs, int bits) {
-  BlockMap map;
-  const auto codes = store.read(block, columns::kCodes);
-  const auto orders = store.read(block, columns::kOrder);
-  const Tile tile = store.blocks()[block].node.tile;
-  std::pair<std::int64_t, std::int64_t> last;
-  std::uint64_t* count = nullptr;
-  Chunk last_chunk;
-  IndexBox* box = nullptr;
-  for (std::size_t i = 0; i < codes.size(); ++i) {
-    const Index3 p = index_of({tile, codes[i]});
-    const std::uint32_t file = file_of(orders[i]);
-    const Chunk chunk{file, inputs[file].chunk_of(row_of(orders[i]))};
-    if (box == nullptr || chunk != last_chunk)
-      box = &map.chunks.try_emplace(last_chunk = chunk, IndexBox::none()).first->second;
-    box->add(p);
-    const std::pair square{p.y >> bits, p.x >> bits};
-    if (count == nullptr || square != last) count = &map.squares[last = square];
-    ++*count;
-  }
-  return map;
-}
 
 // The whole number of a square of this side in which a coordinate lies, both in the same unit.
 std::int64_t square_of(std::int64_t at, std::int64_t side) {
@@ -69,46 +34,24 @@ IndexBox read_box(const GridBox& box, double halo, double step) {
 
 }  // namespace
 
-std::uint64_t PointMap::in(const IndexBox& box) const {
-  if (box.is_empty()) return 0;
-  std::uint64_t points = 0;
-  for (std::int64_t row = box.min.y >> bits; row <= box.max.y >> bits; ++row) {
-    auto it = squares.lower_bound({row, box.min.x >> bits});
-    for (; it != squares.end() && it->first <= std::pair{row, box.max.x >> bits}; ++it) points += it->second;
-  }
-  return points;
-}
-
-PointMap map_points(const Store& store, std::vector<ChunkBoxes> chunks, const PassContext& context) {
-  int bits = 0;
-  while (bits < kTileBits && std::ldexp(store.unit() * context.metres_per_unit, bits + 1) <= kSquareMetres) ++bits;
-  PointMap all{bits, {}, std::move(chunks)};
-  std::mutex adding;
-  std::vector<PassTask> tasks;
-  for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesToMap, b.points});
-  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
-    const BlockMap part = map_of_block(store, static_cast<std::uint32_t>(i), all.inputs, bits);
-    const std::lock_guard lock(adding);
-    for (const auto& [square, points] : part.squares) all.squares[square] += points;
-    for (const auto& [chunk, box] : part.chunks) all.inputs[chunk.first].boxes[chunk.second].add_box(box);
-  });
-  return all;
-}
-
 double suitable_area_size(const PointMap& map, double step_metres, double halo) {
   std::uint64_t points = 0;
-  for (const auto& [square, count] : map.squares) points += count;
-  const double side = std::ldexp(step_metres, map.bits);
-  const double occupied = side * side * static_cast<double>(std::max<std::size_t>(1, map.squares.size()));
+  for (const auto& [square, count] : map.squares()) points += count;
+  const double side = std::ldexp(step_metres, map.bits());
+  const double occupied = side * side * static_cast<double>(std::max<std::size_t>(1, map.squares().size()));
   const double size = std::sqrt(kPointsOfArea * occupied / static_cast<double>(std::max<std::uint64_t>(1, points)));
   return std::ceil(std::max(size, kLeastHalos * halo) / kRoundTo) * kRoundTo;
 }
 
 std::vector<PlanArea> cut_cell_areas(const PointMap& map, const CellAreaParams& params) {
   const std::int64_t side = params.cell * params.cells;
-  std::set<std::pair<std::int64_t, std::int64_t>> squares;
-  for (const auto& [square, points] : map.squares)
-    squares.emplace(square_of(square.first << map.bits, side), square_of(square.second << map.bits, side));
+  std::set<PlanSquare> squares;  // of the areas
+  for (const auto& [square, points] : map.squares()) {
+    const auto last = [&](std::int64_t at) { return square_of(((at + 1) << map.bits()) - 1, side); };
+    for (std::int64_t row = square_of(square.first << map.bits(), side); row <= last(square.first); ++row)
+      for (std::int64_t column = square_of(square.second << map.bits(), side); column <= last(square.second); ++column)
+        squares.emplace(row, column);
+  }
   std::vector<PlanArea> areas;
   for (const auto& [row, column] : squares) {
     PlanArea& area = areas.emplace_back();
@@ -142,9 +85,7 @@ std::vector<AreaSites> cut_areas(std::span<const PlannedSite> sites, std::vector
   auto& first = areas.begin()->second.own;
   first.insert(first.end(), nowhere.begin(), nowhere.end());
   std::sort(first.begin(), first.end());
-  std::vector<GridBox> boxes;
-  for (const PlannedSite& site : sites) boxes.push_back(site.outline.polygon.empty() ? GridBox{} : site.outline.box);
-  const OutlineMap map(std::move(boxes));
+  const OutlineMap map = map_of_outlines(sites);
   const auto reach = static_cast<std::int64_t>(std::ceil(params.reach * kMillimetresPerMetre)) + 1;
   std::vector<AreaSites> cut;
   for (auto& [square, area] : areas) {

@@ -2,29 +2,14 @@
 // Cuts the points and the sites of a run into areas with one owner each.
 #pragma once
 #include <cstdint>
-#include <map>
 #include <span>
-#include <utility>
 #include <vector>
 
-#include "engine/pass/context.h"
 #include "engine/products/roofs/sites/site_plan.h"
-#include "engine/scale/chunk_boxes.h"
 #include "engine/scale/plan.h"
-#include "engine/store/store.h"
+#include "engine/scale/survey/point_map.h"
 
 namespace ilot {
-
-// How many points of a store lie in squares of the plan, and where the chunks of each input are.
-struct PointMap {
-  int bits = 0;  // the side of a square is 2^bits lattice steps
-  std::map<std::pair<std::int64_t, std::int64_t>, std::uint64_t> squares;  // row, column
-  std::vector<ChunkBoxes> inputs;
-
-  std::uint64_t in(const IndexBox& box) const;  // points in all squares that meet the box
-};
-// `chunks` are those of the inputs, with empty boxes.
-PointMap map_points(const Store& store, std::vector<ChunkBoxes> chunks, const PassContext& context);
 
 // The side of areas in metres that suits the points: few enough points for one task, and so large that halos are a
 // small part.

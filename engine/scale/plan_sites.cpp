@@ -21,14 +21,14 @@ namespace {
 namespace fs = std::filesystem;
 
 // Clusters with the values that another plan measured, which a change of the points must not move.
-std::vector<PlannedSite> clusters_as_before(const Plan& before, const IndexResult& index, Settings settings,
+std::vector<PlannedSite> clusters_as_before(const Plan& before, const Store& store, Settings settings,
                                             const PassContext& context, Progress& progress, RunRecord& record) {
   const std::vector<ChosenRecord> kept = keep_statistics(before, settings);
-  std::vector<PlannedSite> sites = plan_clusters(index.store, settings.roofs, context, progress, record);
+  std::vector<PlannedSite> sites = plan_clusters(store, settings.roofs, context, progress, record);
   for (const ChosenRecord& chosen : kept) {
     record.chosen.push_back(chosen);
     if (chosen.key != "roofs.cluster_distance") continue;
-    const double now = suitable_cluster_distance(index.store, context), then = std::get<double>(chosen.value);
+    const double now = suitable_cluster_distance(store, context), then = std::get<double>(chosen.value);
     if (now == then) continue;
     const std::string warning = fmt::format(
         "roofs.cluster_distance would be {:.3g} m for these points; {:.3g} m is kept from the other plan: make a full "
@@ -47,27 +47,24 @@ NumberedSite marked(std::size_t number, bool own, const PlannedSite& site, const
 
 }  // namespace
 
-std::vector<PlannedSite> find_sites(const PlanOptions& options, const IndexResult& index,
-                                    std::vector<PlannedSite> given, const PassContext& context, Progress& progress,
-                                    RunRecord& record, Plan& plan) {
-  const RunOptions& run = options.run;
-  const Settings& settings = run.settings;
-  if (!run.footprints.empty()) {
-    auto roles = point_roles(settings.classes.building, settings.classes.ground);
-    if (!settings.roofs.trust_classes) roles.fill(PointRole::unclassified);
-    plan.roofs.by_shape = count_of(write_roles(index.store, roles, context), PointRole::building) == 0;
-  } else {
-    plan.roofs.by_shape = make_roof_roles(index.store, settings, context, progress).has_value();
-    given = options.statistics.empty()
-                ? plan_clusters(index.store, settings.roofs, context, progress, record)
-                : clusters_as_before(read_plan(options.statistics), index, settings, context, progress, record);
-    plan.roofs.clusters = record.clusters;
-  }
-  if (plan.roofs.by_shape)
-    plan.chosen.push_back({"roofs.trust_classes", std::string("false"),
-                           "no point of classes.building is used; ground and buildings are found by shape"});
-  plan.chosen.insert(plan.chosen.end(), record.chosen.begin(), record.chosen.end());
-  return given;
+void find_roles(const std::array<std::uint64_t, 256>& classes, Plan& plan) {
+  auto roles = point_roles(plan.settings.classes.building, plan.settings.classes.ground);
+  if (!plan.settings.roofs.trust_classes) roles.fill(PointRole::unclassified);
+  plan.roofs.by_shape = true;
+  for (std::size_t code = 0; code < classes.size(); ++code)
+    if (classes[code] > 0 && roles[code] == PointRole::building) plan.roofs.by_shape = false;
+}
+
+std::vector<PlannedSite> find_sites(const PlanOptions& options, const Store& store, const PassContext& context,
+                                    Progress& progress, RunRecord& record, Plan& plan) {
+  const Settings& settings = options.run.settings;
+  plan.roofs.by_shape = make_roof_roles(store, settings, context, progress).has_value();
+  std::vector<PlannedSite> sites =
+      options.statistics.empty()
+          ? plan_clusters(store, settings.roofs, context, progress, record)
+          : clusters_as_before(read_plan(options.statistics), store, settings, context, progress, record);
+  plan.roofs.clusters = record.clusters;
+  return sites;
 }
 
 std::string write_sites(const fs::path& path, const AreaSites& cut, std::span<const PlannedSite> sites,

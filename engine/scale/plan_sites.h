@@ -1,28 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sites of a plan of roofs: found once for the whole run, and written for each area.
 #pragma once
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "engine/pass/context.h"
-#include "engine/pass/index.h"
 #include "engine/products/roofs/sites/site_plan.h"
 #include "engine/report/progress.h"
 #include "engine/report/run_record.h"
 #include "engine/scale/make_plan.h"
 #include "engine/scale/plan.h"
 #include "engine/scale/plan_areas.h"
+#include "engine/store/store.h"
 
 namespace ilot {
 
-// Returns the given sites, or those that are found in the cloud where no footprints are given. Finds how ground and
+// Finds how ground and buildings are known where footprints are given, from the points of each class.
+void find_roles(const std::array<std::uint64_t, 256>& classes, Plan& plan);
+
+// Returns the sites that are found in a store of all points where no footprints are given. Finds how ground and
 // buildings are known, and adds what was chosen for `auto` to the plan.
-std::vector<PlannedSite> find_sites(const PlanOptions& options, const IndexResult& index,
-                                    std::vector<PlannedSite> given, const PassContext& context, Progress& progress,
-                                    RunRecord& record, Plan& plan);
+std::vector<PlannedSite> find_sites(const PlanOptions& options, const Store& store, const PassContext& context,
+                                    Progress& progress, RunRecord& record, Plan& plan);
 
 // What of a site depends on all sites and points.
 struct SiteMarks {

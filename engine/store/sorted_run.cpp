@@ -4,11 +4,8 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <set>
-#include <tuple>
 
 #include "engine/error.h"
-#include "engine/formats/row_buffer.h"
 #include "engine/store/column_file.h"
 #include "kernels/core/radix_sort.h"
 
@@ -54,29 +51,6 @@ void write_points(std::map<Tile, std::vector<KeyValue>>& tiles, SortedRun& run, 
   run.samples = std::move(written.samples);
 }
 
-// Finds the points that are not on a lattice that is coarser than the scale of their file.
-class OffLattice {
- public:
-  OffLattice(const RecordLayout& layout, const InputLattice& lattice)
-      : multiple_(lattice.multiple), finest_(layout, lattice.finest()) {}
-
-  void check(const PointFields& f) {
-    Index3 p;
-    if (multiple_ == 1 || places_.size() == kMostOffLattice || !finest_.map(f.x, f.y, f.z, p)) return;
-    if (p.x % multiple_ != 0 || p.y % multiple_ != 0 || p.z % multiple_ != 0) places_.insert({p.x, p.y, p.z});
-  }
-  std::vector<Index3> places() const {
-    std::vector<Index3> all;
-    for (const auto& [x, y, z] : places_) all.push_back({x, y, z});
-    return all;
-  }
-
- private:
-  std::int64_t multiple_;
-  LatticeMap finest_;
-  std::set<std::tuple<std::int64_t, std::int64_t, std::int64_t>> places_;
-};
-
 void write_table(const SortedRun& run) {
   RecordWriter table(with_suffix(run.stem, ".table"));
   const std::uint64_t sizes[3]{run.tiles.size(), run.samples.size(), run.off_lattice.size()};
@@ -86,21 +60,6 @@ void write_table(const SortedRun& run) {
   table.append(std::as_bytes(std::span(run.samples)));
   table.append(std::as_bytes(std::span(run.off_lattice)));
   table.commit();
-}
-
-std::uint8_t echoes(const PointFields& f) {
-  return static_cast<std::uint8_t>((f.return_count > 1 ? kMultipleReturns : 0) |
-                                   (f.return_number < f.return_count ? kNotLastReturn : 0));
-}
-
-std::optional<Rejection> rejection_of(const PointFields& f, bool valid, const LatticeMap& lattice,
-                                      const IndexFilter& filter, Index3& at) {
-  if (!valid) return Rejection::invalid;
-  if (!lattice.map(f.x, f.y, f.z, at)) return Rejection::invalid;
-  if (f.withheld) return Rejection::withheld;
-  if (filter.noise[f.classification]) return Rejection::noise;
-  if (filter.keep && !filter.keep->contains(at)) return Rejection::outside;
-  return std::nullopt;
 }
 
 }  // namespace
@@ -132,46 +91,21 @@ void refuse_many_tiles(std::size_t tiles) {
               "--set index.finest_step with a coarser step, to which coordinates are rounded");
 }
 
-SortedRun make_sorted_run(const RunSource& source, const InputLattice& lattice, const IndexFilter& filter,
+SortedRun make_sorted_run(const RowSource& source, const InputLattice& lattice, const IndexFilter& filter,
                           const std::filesystem::path& stem, const std::function<void(std::uint64_t)>& read_rows) {
-  const CloudInfo& info = source.reader.info();
-  const std::size_t length = info.layout.record_length;
-  const LatticeMap map(info.layout, lattice.unit);
-  OffLattice off(info.layout, lattice);
-  if (source.first + source.count > kMostRowsOfInput)
-    throw Error(info.path.string() + ": contains more than 17 billion points; cut it into several files first");
+  LatticeRowReader reader(source, lattice, filter);
   SortedRun run{stem, {}, {}, {}, {}};
   Gatherer gatherer(source.count);
   std::optional<CoarseCells> cells;
   if (filter.coarse_bits) cells.emplace(*filter.coarse_bits);
-  const std::uint64_t batch = rows_at_a_time(length, 1u << 14);
-  std::vector<std::byte> records(batch * length);
-  std::vector<std::uint8_t> valid(batch);
-  for (std::uint64_t done = 0; done < source.count;) {
-    const std::uint64_t want = std::min(batch, source.count - done);
-    const std::size_t got =
-        source.reader.read(source.first + done, std::span(records).first(want * length), std::span(valid).first(want));
-    if (got < want)
-      throw Error(info.path.string() + ": point " + std::to_string(source.first + done + got) +
-                  " can no longer be read; the file changed during the run");
-    for (std::size_t i = 0; i < got; ++i) {
-      Index3 at;
-      const PointFields fields =
-          decode_fields(std::span(records).subspan(i * length, length), info.layout.point_format);
-      const auto rejection = rejection_of(fields, valid[i] != 0, map, filter, at);
-      if (rejection != Rejection::invalid) off.check(fields);
-      if (rejection) {
-        ++run.rejected[static_cast<std::size_t>(*rejection)];
-        if (cells && rejection == Rejection::outside) cells->add(at);
-      } else {
-        const InputOrder order = input_order(source.file, source.first + done + i);
-        gatherer.add(key_of(at), run_value(order, fields.classification, echoes(fields)));
-      }
-    }
-    done += got;
-    read_rows(got);
+  for (LatticeRows rows; reader.next(rows); read_rows(rows.rows)) {
+    for (const LatticePoint& p : rows.points)
+      gatherer.add(key_of(p.at), run_value(input_order(source.file, p.row), p.classification, p.echoes));
+    if (cells)
+      for (const Index3& at : rows.outside) cells->add(at);
   }
-  run.off_lattice = off.places();
+  run.rejected = reader.rejected();
+  run.off_lattice = reader.off_lattice();
   write_points(gatherer.tiles(), run, cells);
   if (cells) write_column<std::int64_t>(with_suffix(run.stem, ".cells"), cells->packed());
   write_table(run);

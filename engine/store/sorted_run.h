@@ -3,33 +3,19 @@
 // stretch a point was, because blocks merge the points of an octree node from all runs.
 #pragma once
 #include <array>
-#include <bitset>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <vector>
 
-#include "engine/formats/reader.h"
 #include "engine/store/coarse_cells.h"
 #include "engine/store/lattice.h"
+#include "engine/store/lattice_rows.h"
 #include "engine/store/store.h"
 #include "kernels/geometry/box3.h"
 
 namespace ilot {
-
-// The reasons for which a point is not in the store.
-enum class Rejection { invalid, withheld, noise, outside, stray };
-constexpr std::size_t kRejections = 5;
-constexpr std::array<const char*, kRejections> kRejectionNames{"invalid coordinates", "withheld", "noise class",
-                                                               "outside the area and its surroundings",
-                                                               "stand alone, far from all other points"};
-
-struct IndexFilter {
-  std::bitset<256> noise;          // classes to leave out
-  std::optional<IndexBox> keep;    // lattice box; points outside are left out
-  std::optional<int> coarse_bits;  // of the cells from which strays are found; none: strays are kept
-};
 
 // The points of one tile in a run: positions [first, end) of the run's columns.
 struct RunTile {
@@ -47,8 +33,6 @@ constexpr std::uint64_t kRunSample = 1024;  // every 1,024th code of the run is 
 constexpr std::size_t kMostTiles = 1 << 13;
 void refuse_many_tiles(std::size_t tiles);
 
-constexpr std::size_t kMostOffLattice = 1000;  // greatest number of places beside the lattice that are kept
-
 struct SortedRun {
   std::filesystem::path stem;  // stem.points has KeyValue of code and RunValue; stem.table is written last
   std::array<std::uint64_t, kRejections> rejected{};
@@ -60,8 +44,6 @@ struct SortedRun {
 // The data of a point that a run keeps beside its code, so that sorting moves it too: the input order in the upper 54
 // bits, then 8 bits of class and 2 of echoes.
 using RunValue = std::uint64_t;
-constexpr int kRunRowBits = 34;
-constexpr std::uint64_t kMostRowsOfInput = std::uint64_t{1} << kRunRowBits;
 constexpr RunValue run_value(InputOrder order, std::uint8_t classification, std::uint8_t echoes) {
   return (file_of(order) << kRunRowBits | row_of(order)) << 10 | std::uint64_t{classification} << 2 | echoes;
 }
@@ -90,15 +72,9 @@ class SortedRunWriter {
   std::uint64_t written_ = 0;
 };
 
-struct RunSource {
-  PointReader& reader;
-  std::uint32_t file = 0;              // number of the input
-  std::uint64_t first = 0, count = 0;  // rows
-};
-
 // Reads rows and writes stem.*; 64 bytes of memory a row. `read_rows` is called with the number of rows that were read.
 // The coarse cells include points outside the area, because whether a point is a stray does not depend on the area.
-SortedRun make_sorted_run(const RunSource& source, const InputLattice& lattice, const IndexFilter& filter,
+SortedRun make_sorted_run(const RowSource& source, const InputLattice& lattice, const IndexFilter& filter,
                           const std::filesystem::path& stem, const std::function<void(std::uint64_t)>& read_rows);
 
 // Returns the table of a run that an earlier start finished; nullopt when there is none.

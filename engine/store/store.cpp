@@ -23,4 +23,10 @@ std::filesystem::path Store::file(std::uint32_t block, const char* column) const
   return folder_ / "blocks" / (blocks_[block].node.name() + "." + column);
 }
 
+IndexBox Store::box() const {
+  IndexBox all = IndexBox::none();
+  for (const IndexBox& box : boxes_) all.add_box(box);
+  return all;
+}
+
 }  // namespace ilot

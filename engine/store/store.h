@@ -30,6 +30,7 @@ class Store {
   double unit() const { return unit_; }  // CRS units per lattice step
   const std::vector<Block>& blocks() const { return blocks_; }
   std::uint64_t points() const { return points_; }
+  IndexBox box() const;  // of all points; empty without a point
 
   // Returns the blocks whose points may be in the box, in global order. O(answer * log blocks).
   std::vector<std::uint32_t> blocks_in(const IndexBox& box) const;

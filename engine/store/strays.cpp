@@ -124,4 +124,14 @@ Strays find_strays(const CoarseCells& cells) {
   return {cells.bits(), std::move(found)};
 }
 
+Index3 least_corner(const CoarseCells& cells, const Strays& strays) {
+  constexpr std::int64_t kFar = std::int64_t{1} << 52;
+  Index3 least{kFar, kFar, kFar};
+  for (const auto& [cell, content] : cells.cells()) {
+    const Index3 at{cell.x * cells.edge(), cell.y * cells.edge(), cell.z * cells.edge()};
+    if (!strays.contains(at)) least = {std::min(least.x, at.x), std::min(least.y, at.y), std::min(least.z, at.z)};
+  }
+  return cells.cells().empty() ? Index3{} : least;
+}
+
 }  // namespace ilot

@@ -40,4 +40,7 @@ class Strays {
 // cloud of two real parts at any distance. O(cells log cells).
 Strays find_strays(const CoarseCells& cells);
 
+// Returns the least corner of the cells whose points are no strays; the origin where there are none.
+Index3 least_corner(const CoarseCells& cells, const Strays& strays);
+
 }  // namespace ilot

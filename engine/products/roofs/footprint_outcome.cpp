@@ -34,19 +34,13 @@ std::string place_text(const GridBox& box, double metres_per_unit) {
 
 }  // namespace
 
-GridBox extent_of_points(const Store& store, const PassContext& context) {
+GridBox extent_of_points(const IndexBox& points, double step_metres) {
   constexpr std::int64_t kFar = std::numeric_limits<std::int64_t>::max();
-  const double mm = store.unit() * context.metres_per_unit * 1000;
-  GridBox extent{kFar, kFar, -kFar, -kFar};
-  for (const Block& b : store.blocks()) {
-    const auto low = [&](std::int64_t v) { return static_cast<std::int64_t>(std::floor(static_cast<double>(v) * mm)); };
-    const auto high = [&](std::int64_t v) { return static_cast<std::int64_t>(std::ceil(static_cast<double>(v) * mm)); };
-    extent.min_x = std::min(extent.min_x, low(b.box.min.x));
-    extent.min_y = std::min(extent.min_y, low(b.box.min.y));
-    extent.max_x = std::max(extent.max_x, high(b.box.max.x));
-    extent.max_y = std::max(extent.max_y, high(b.box.max.y));
-  }
-  return extent;
+  if (points.is_empty()) return {kFar, kFar, -kFar, -kFar};
+  const double mm = step_metres * 1000;
+  const auto low = [&](std::int64_t v) { return static_cast<std::int64_t>(std::floor(static_cast<double>(v) * mm)); };
+  const auto high = [&](std::int64_t v) { return static_cast<std::int64_t>(std::ceil(static_cast<double>(v) * mm)); };
+  return {low(points.min.x), low(points.min.y), high(points.max.x), high(points.max.y)};
 }
 
 SiteNames names_of(std::span<const PlannedSite> sites, const GridBox& extent) {

@@ -14,7 +14,7 @@
 namespace ilot {
 
 // The extent of the store's points in millimetres, the unit of outlines.
-GridBox extent_of_points(const Store& store, const PassContext& context);
+GridBox extent_of_points(const IndexBox& points, double step_metres);
 
 // The ids of sites, and of those whose outlines lie wholly outside of an extent.
 struct SiteNames {

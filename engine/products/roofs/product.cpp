@@ -106,7 +106,7 @@ void make(ProductRun& run) {
   make_roofs(run.store, sites, run.openings, run.settings, run.inputs, run.context,
              {run.folder / "roofs", run.progress, run.record});
   if (run.settings.roofs.dtm) make_terrain(run);
-  const GridBox extent = extent_of_points(run.store, run.context);
+  const GridBox extent = extent_of_points(run.store.box(), run.store.unit() * run.context.metres_per_unit);
   if (given) resolve_skipped_footprints(names_of(sites, extent), run.progress, run.record);
   if (!given) note_clusters_without_model(run.progress, *run.record.clusters);
   const std::uint64_t outside = given ? run.record.footprints->outside.size() : 0;

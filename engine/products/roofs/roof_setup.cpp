@@ -54,27 +54,20 @@ Columns columns_of(std::span<const PlannedSite> sites) {
 }
 
 // The box of the outlines that the cloud meets, with the heights of the cloud; CRS units.
-std::optional<std::array<double, 6>> extent_of(const Store& store, std::span<const PlannedSite> sites,
+std::optional<std::array<double, 6>> extent_of(const IndexBox& points, double unit, std::span<const PlannedSite> sites,
                                                double metres_per_unit) {
-  const double unit = store.unit(), per_mm = 0.001 / metres_per_unit;
-  std::array<double, 6> cloud{INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY}, all = cloud;
-  for (const Block& b : store.blocks()) {
-    const double low[] = {static_cast<double>(b.box.min.x), static_cast<double>(b.box.min.y),
-                          static_cast<double>(b.box.min.z)};
-    const double high[] = {static_cast<double>(b.box.max.x), static_cast<double>(b.box.max.y),
-                           static_cast<double>(b.box.max.z)};
-    for (std::size_t k = 0; k < 3; ++k) {
-      cloud[k] = std::min(cloud[k], low[k] * unit);
-      cloud[k + 3] = std::max(cloud[k + 3], high[k] * unit);
-    }
-  }
+  if (points.is_empty()) return std::nullopt;
+  const double per_mm = 0.001 / metres_per_unit;
+  const auto at = [&](std::int64_t v) { return static_cast<double>(v) * unit; };
+  const double z0 = at(points.min.z), z1 = at(points.max.z);
+  std::array<double, 6> all{INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY};
   for (const PlannedSite& site : sites) {
     if (site.outline.polygon.empty()) continue;
     const GridBox& box = site.outline.box;
     const double x0 = static_cast<double>(box.min_x) * per_mm, x1 = static_cast<double>(box.max_x) * per_mm;
     const double y0 = static_cast<double>(box.min_y) * per_mm, y1 = static_cast<double>(box.max_y) * per_mm;
-    if (x1 < cloud[0] || x0 > cloud[3] || y1 < cloud[1] || y0 > cloud[4]) continue;
-    all = {std::min(all[0], x0), std::min(all[1], y0), cloud[2], std::max(all[3], x1), std::max(all[4], y1), cloud[5]};
+    if (x1 < at(points.min.x) || x0 > at(points.max.x) || y1 < at(points.min.y) || y0 > at(points.max.y)) continue;
+    all = {std::min(all[0], x0), std::min(all[1], y0), z0, std::max(all[3], x1), std::max(all[4], y1), z1};
   }
   if (!(all[0] <= all[3])) return std::nullopt;
   return all;
@@ -89,19 +82,20 @@ std::string roof_parameters(const Settings& settings) {
   return own.dump();
 }
 
-RoofFrame frame_of(const Store& store, std::span<const PlannedSite> sites, const PassContext& context) {
-  return {origin_near(context.corner, store.unit(), context.metres_per_unit),
-          extent_of(store, sites, context.metres_per_unit), columns_of(sites)};
-}
+}  // namespace
 
-OutlineMap map_of(std::span<const PlannedSite> sites) {
+OutlineMap map_of_outlines(std::span<const PlannedSite> sites) {
   std::vector<GridBox> boxes;
   boxes.reserve(sites.size());
   for (const PlannedSite& site : sites) boxes.push_back(site.outline.polygon.empty() ? GridBox{} : site.outline.box);
   return OutlineMap(std::move(boxes));
 }
 
-}  // namespace
+RoofFrame roof_frame(const IndexBox& points, double unit, std::span<const PlannedSite> sites,
+                     const PassContext& context) {
+  return {origin_near(context.corner, unit, context.metres_per_unit),
+          extent_of(points, unit, sites, context.metres_per_unit), columns_of(sites)};
+}
 
 RoofFilesParams roof_files_params(const RoofFrame& frame, const Settings& settings, const Crs& crs) {
   CityJsonParams params{crs.epsg, frame.origin, 0.0001, settings.roofs.attribute_style, crs.metres_per_unit};
@@ -114,12 +108,12 @@ RoofFilesParams roof_files_params(const RoofFrame& frame, const Settings& settin
 
 RoofSetup::RoofSetup(const Store& store, std::span<const PlannedSite> sites, const Settings& settings, const Crs& crs,
                      const PassContext& context, std::span<const Edit> edits)
-    : map(map_of(sites)),
+    : map(map_of_outlines(sites)),
       class_edits(edits, store.unit()),
       merges(plan_merges(edits, sites, map, context.metres_per_unit)),
       work{store, sites, map, {}, context.metres_per_unit},
       model(model_params(settings.roofs)),
-      file(roof_files_params(frame_of(store, sites, context), settings, crs)) {
+      file(roof_files_params(roof_frame(store.box(), store.unit(), sites, context), settings, crs)) {
   work.params.margin = settings.roofs.margin;
   work.class_edits = &class_edits;
   work.merges = merges;

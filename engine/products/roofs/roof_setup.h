@@ -22,6 +22,13 @@ struct RoofFrame {
   Columns further;                              // the attributes of the footprints
 };
 
+// The outlines of the sites, by their numbers.
+OutlineMap map_of_outlines(std::span<const PlannedSite> sites);
+
+// Returns the frame of a run with these points (their box in lattice steps of `unit`) and sites.
+RoofFrame roof_frame(const IndexBox& points, double unit, std::span<const PlannedSite> sites,
+                     const PassContext& context);
+
 // Returns the parameters of the files for a frame.
 RoofFilesParams roof_files_params(const RoofFrame& frame, const Settings& settings, const Crs& crs);
 

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/scale/survey/point_summary.h"
+
+#include <algorithm>
+
+#include "engine/store/sorted_run.h"
+
+namespace ilot {
+namespace {
+
+Index3 corner_of(CoarseCell cell, int bits) {
+  return {cell.x << bits, cell.y << bits, cell.z << bits};
+}
+
+// Adds points of one cell and one chunk, one after the other, and finds the sums that change only where they are others
+// than those of the point before.
+class CellTally {
+ public:
+  CellTally(PointSums& sums, InputChunk chunk) : sums_(sums) {
+    chunk_ = &sums_.chunks.try_emplace(chunk, IndexBox::none()).first->second;
+  }
+  CellTally(const CellTally&) = delete;
+  CellTally& operator=(const CellTally&) = delete;
+  ~CellTally() { end_square(); }
+
+  void add(const LatticePoint& p) {
+    ++sums_.points;
+    chunk_->add(p.at);
+    if (of_class_ == nullptr || p.classification != class_) of_class_ = &sums_.classes[class_ = p.classification];
+    ++*of_class_;
+    const int bits = sums_.map.bits();
+    const PlanSquare square{p.at.y >> bits, p.at.x >> bits};
+    if (square != square_) end_square();
+    square_ = square;
+    ++in_square_;
+  }
+
+ private:
+  void end_square() {
+    if (in_square_ > 0) sums_.map.add(square_, in_square_);
+    in_square_ = 0;
+  }
+
+  PointSums& sums_;
+  IndexBox* chunk_;
+  std::uint8_t class_ = 0;
+  std::uint64_t* of_class_ = nullptr;
+  PlanSquare square_;
+  std::uint64_t in_square_ = 0;
+};
+
+}  // namespace
+
+void PointSums::add(const PointSums& other) {
+  points += other.points;
+  for (const auto& [code, count] : other.classes) classes[code] += count;
+  map.add(other.map);
+  for (const auto& [chunk, where] : other.chunks)
+    chunks.try_emplace(chunk, IndexBox::none()).first->second.add_box(where);
+}
+
+IndexBox PointSums::box() const {
+  IndexBox all = IndexBox::none();
+  for (const auto& [chunk, where] : chunks) all.add_box(where);
+  return all;
+}
+
+PointSummary::PointSummary(double step_metres)
+    : cell_bits_(coarse_bits(step_metres)),
+      square_bits_(std::min(square_bits(step_metres), cell_bits_)),
+      cells_(cell_bits_),
+      settled_(square_bits_) {}
+
+PointSums& PointSummary::sums_at(CoarseCell cell) {
+  const auto [at, is_new] = apart_.try_emplace(cell, square_bits_);
+  if (is_new) {
+    const Tile tile = key_of(corner_of(cell, cell_bits_)).tile;
+    tiles_.insert(tile);
+    tiles_apart_.insert(tile);
+    refuse_many_tiles(tiles_apart_.size());
+  }
+  return at->second;
+}
+
+void PointSummary::add(std::span<const LatticePoint> points, std::uint32_t input, const ChunkBoxes& chunks) {
+  for (std::size_t i = 0; i < points.size();) {
+    const std::size_t chunk = chunks.chunk_of(points[i].row);
+    const CoarseCell cell = coarse_cell(points[i].at, cell_bits_);
+    CellTally tally(sums_at(cell), {input, chunk});
+    for (; i < points.size() && points[i].row < chunks.rows[chunk + 1] && coarse_cell(points[i].at, cell_bits_) == cell;
+         ++i) {
+      tally.add(points[i]);
+      cells_.add(points[i].at);
+    }
+  }
+}
+
+void PointSummary::add(const PointSummary& part) {
+  cells_.merge(part.cells_);
+  settled_.add(part.settled_);
+  tiles_.insert(part.tiles_.begin(), part.tiles_.end());
+  for (const auto& [cell, sums] : part.apart_) sums_at(cell).add(sums);
+  settle();
+}
+
+// A cell of many places stays one whatever is added, and so does the larger cell that contains it.
+void PointSummary::settle() {
+  const int by = cells_.bits() - cell_bits_;
+  std::erase_if(apart_, [&](const auto& entry) {
+    const CoarseCell& c = entry.first;
+    if (!cells_.cells().at({c.x >> by, c.y >> by, c.z >> by}).many) return false;
+    settled_.add(entry.second);
+    return true;
+  });
+  tiles_apart_.clear();
+  for (const auto& [cell, sums] : apart_) tiles_apart_.insert(key_of(corner_of(cell, cell_bits_)).tile);
+}
+
+std::pair<PointSums, std::uint64_t> PointSummary::without(const Strays& strays) const {
+  std::pair<PointSums, std::uint64_t> all{settled_, 0};
+  for (const auto& [cell, sums] : apart_) {
+    if (strays.contains(corner_of(cell, cell_bits_)))
+      all.second += sums.points;
+    else
+      all.first.add(sums);
+  }
+  return all;
+}
+
+}  // namespace ilot
