@@ -11,26 +11,12 @@ Everything stays in DIR: the cloud takes 8.9 GB for a million buildings, their t
 import argparse
 import concurrent.futures
 import json
-import os
 import pathlib
-import subprocess
-import time
+
+from measured_process import measured, size_of
 
 BUILDINGS_OF_KM2 = 2130
 POINTS_OF_BUILDING = 2000
-
-
-def measured(command, log):
-    """Runs a command and returns what it took: user and system seconds, seconds on the clock, peak in MiB."""
-    begun = time.monotonic()
-    with open(log, "ab") as out:
-        child = subprocess.Popen(command, stdout=out, stderr=out)
-        _, status, use = os.wait4(child.pid, 0)
-    code = os.waitstatus_to_exitcode(status)
-    if code not in (0, 3):
-        raise SystemExit(f"{' '.join(map(str, command))} ended with {code}, see {log}")
-    return {"user": use.ru_utime, "system": use.ru_stime, "seconds": time.monotonic() - begun,
-            "peak_mib": use.ru_maxrss / 1024, "read_blocks": use.ru_inblock, "written_blocks": use.ru_oublock}
 
 
 class Steps:
@@ -75,10 +61,6 @@ def write_outlines(models, path):
     path.with_suffix(".part").rename(path)
 
 
-def size_of(folder):
-    return sum(f.stat().st_size for f in folder.rglob("*") if f.is_file())
-
-
 def main():
     p = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     p.add_argument("exe", type=pathlib.Path)
@@ -86,8 +68,10 @@ def main():
     p.add_argument("--buildings", type=int, default=1_000_000)
     p.add_argument("--jobs", type=int, default=2, help="tasks at once, one thread each [2]")
     p.add_argument("--memory", default="512M", help="of a worker [512M]")
+    p.add_argument("--area-size", default="auto", help="metres [auto: ten million points]")
     p.add_argument("--rehearse", type=int, default=0, metavar="N", help="only the first N areas, no merge")
     a = p.parse_args()
+    a.exe, a.work = a.exe.resolve(), a.work.resolve()
     a.work.mkdir(parents=True, exist_ok=True)
     steps, log = Steps(a.work / "steps.jsonl"), a.work / "log.txt"
     cloud, outlines, plan, out = (a.work / n for n in ("town.laz", "outlines.geojsonl", "plan", "out"))
@@ -99,7 +83,8 @@ def main():
         write_outlines(a.work / "town.truth.city.jsonl", outlines)
     if not (plan / "plan.json").exists():
         steps.run("plan", lambda: measured([a.exe, "plan", cloud, "-o", plan, "--products", "roofs", "--footprints",
-                                            outlines, "--crs", "EPSG:2154", "--memory", a.memory], log))
+                                            outlines, "--crs", "EPSG:2154", "--memory", a.memory, "--area-size",
+                                            a.area_size], log))
     areas = len(json.loads((plan / "plan.json").read_text())["areas"])
     wanted = range(1, min(areas, a.rehearse or areas) + 1)
     tasks = [n for n in wanted if f"task {n}" not in steps.done]
@@ -125,11 +110,10 @@ def report(steps, areas, out, plan):
     print(f"plan with its parts {size_of(plan) / 1e6:.0f} MB")
     if (out / "run.json").exists():
         run = json.loads((out / "run.json").read_text())
-        buildings = run["roofs"]["buildings"] if "buildings" in run.get("roofs", {}) else None
+        buildings = run["counts"]["buildings"]
         print(f"result {size_of(out) / 1e6:.0f} MB, result_hash {run['result_hash']}, buildings {buildings}")
-        if buildings:
-            work = sum(steps.total(n) for n in ("plan", "task ", "merge"))
-            print(f"{1e3 * work / buildings:.2f} ms of processor time a building")
+        work = sum(steps.total(n) for n in ("plan", "task ", "merge"))
+        print(f"{1e3 * work / buildings:.2f} ms of processor time a building")
 
 
 if __name__ == "__main__":

@@ -21,6 +21,7 @@ struct CloudSpec {
   std::string software;              // "generating software" of LAS
   // Greatest memory for rows that wait to be compressed together; never less than one chunk. No result depends on it.
   std::uint64_t waiting_bytes = std::uint64_t{256} << 20;
+  std::uint64_t octree_bytes = std::uint64_t{1} << 30;  // COPC: greatest memory for its rows and 16 bytes for each
 };
 
 class PointWriter {

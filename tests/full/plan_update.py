@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """A fiftieth of the tiles of a district changes, in one place: `ilot plan --update` and the tasks that it leaves beside a
-plan from scratch and all of its tasks, in processor seconds, and the same bytes. ILOT_EXE is the program; ILOT_POINTS and
-ILOT_SEED choose the district."""
+plan from scratch and all of its tasks, in processor seconds, and the same bytes. ILOT_EXE is the program; ILOT_POINTS, ILOT_SEED
+and ILOT_DENSITY (points per m2) choose the district, ILOT_AREAS the sides of areas in metres for planes and for roofs."""
 import json
 import os
 import pathlib
@@ -15,6 +15,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "run"))
 from support import EXE, Las  # noqa: E402
 
 POINTS, SEED = int(os.environ.get("ILOT_POINTS", "8000000")), int(os.environ.get("ILOT_SEED", "5"))
+DENSITY, AREAS = os.environ.get("ILOT_DENSITY", "12"), os.environ.get("ILOT_AREAS", "33,35").split(",")
 ACROSS = 20  # tiles along each side of the district
 
 
@@ -28,8 +29,8 @@ def seconds(*command):
 
 
 def tiles_of(folder):
-    subprocess.run([EXE, "scan", "district", "-o", folder / "district.las", "--points", str(POINTS), "--seed", str(SEED), "-q"],
-                   check=True)
+    subprocess.run([EXE, "scan", "district", "-o", folder / "district.las", "--points", str(POINTS), "--seed", str(SEED), "-q",
+                    "--set", f"scene.density={DENSITY}"], check=True)
     las, tiles = Las.read(folder / "district.las"), {}
     raw = las.raw()
     low, high = ([f(p[axis] for p in raw) for axis in (0, 1)] for f in (min, max))
@@ -87,8 +88,8 @@ def main():
     with tempfile.TemporaryDirectory(prefix="ilot-update-") as name:
         folder = pathlib.Path(name)
         tiles = tiles_of(folder)
-        compare("planes", 33, folder, tiles)
-        compare("roofs", 35, folder, tiles)
+        for product, size in zip(("planes", "roofs"), AREAS):
+            compare(product, size, folder, tiles)
 
 
 if __name__ == "__main__":

@@ -17,7 +17,7 @@ namespace ilot {
 namespace {
 
 struct ConvertArguments {
-  std::string input, output, dialect;
+  std::string input, output, dialect, memory = "1G";
   bool overwrite = false, quiet = false;
 };
 
@@ -103,7 +103,9 @@ int convert_command(const ConvertArguments& given) {
   const CloudInfo& info = reader->info();
   if (!info.dialect.empty()) progress.note(given.input + ": text " + info.dialect);
   for (const std::string& warning : info.warnings) progress.warn(given.input + ": " + warning);
-  const auto writer = create_cloud(given.output, {info, {}, "ilot " + version()});
+  CloudSpec spec{info, {}, "ilot " + version()};
+  spec.octree_bytes = parse_bytes("--memory", given.memory);
+  const auto writer = create_cloud(given.output, spec);
   progress.begin_stage("convert", info.points);
   const Copied copied = copy_points(*reader, *writer, progress);
   writer->finish();
@@ -126,6 +128,10 @@ void add_convert_command(CLI::App& app, Action& action) {
   command->add_option("INPUT", given->input, "a point cloud")->option_text(" ");
   command->add_option("OUTPUT", given->output, "the file to write; its extension names the format")->option_text(" ");
   add_dialect_option(*command, given->dialect);
+  command
+      ->add_option("--memory", given->memory,
+                   "COPC alone: for its points while they are sorted, with K, M, G or T [1G]")
+      ->option_text("BYTES");
   command->add_flag("--overwrite", given->overwrite, "replace OUTPUT [off]");
   command->add_flag("-q,--quiet", given->quiet, "say only what is wrong [off]");
   command->footer("Example: ilot convert district.las district.ply");

@@ -16,16 +16,11 @@ bool is_copc(const CloudInfo& info);
 // True when the name is that of a COPC file: any stem, then .copc.laz in upper or lower case.
 bool is_copc_name(const std::filesystem::path& path);
 
-struct CopcOptions {
-  std::uint64_t memory_bytes = std::uint64_t{1} << 30;  // for the rows and 16 bytes for each row
-};
-
 // Takes rows of any point format and writes formats 6 to 8 (modern_record.h) as an octree (copc_octree.h). The order of
 // the rows is lost, but the same rows in the same order give the same bytes. All rows stay in memory until finish().
 // finish() also needs memory for the nodes in compression, one for each thread; each node is compressed by one thread.
 // There is one hierarchy page. Throws Error as soon as the rows written, or the rows that spec.like declares, do not
-// fit options.memory_bytes.
-std::unique_ptr<PointWriter> create_copc(const std::filesystem::path& path, const CloudSpec& spec,
-                                         const CopcOptions& options = {});
+// fit spec.octree_bytes.
+std::unique_ptr<PointWriter> create_copc(const std::filesystem::path& path, const CloudSpec& spec);
 
 }  // namespace ilot

@@ -80,8 +80,8 @@ std::uint64_t code_of(const std::byte* row, const RecordLayout& layout, const Cu
 
 class CopcWriter final : public PointWriter {
  public:
-  CopcWriter(const std::filesystem::path& path, const CloudSpec& spec, std::uint64_t memory_bytes)
-      : memory_bytes_(memory_bytes), given_(output_layout(spec)), file_(path), plan_(plan_las(modern_spec(spec))) {
+  CopcWriter(const std::filesystem::path& path, const CloudSpec& spec)
+      : memory_bytes_(spec.octree_bytes), given_(output_layout(spec)), file_(path), plan_(plan_las(modern_spec(spec))) {
     check_memory(spec.like.points);
     block_rows_ = kBlockBytes / plan_.layout.record_length;
     plan_.header.resize(las::header_size(4));
@@ -143,7 +143,8 @@ class CopcWriter final : public PointWriter {
     throw Error(file_.path().string() + ": more than " + std::to_string(most) + " points of " +
                 std::to_string(plan_.layout.record_length) + " bytes do not fit the " +
                 std::to_string(memory_bytes_ >> 20) +
-                " MiB that sorting them into an octree may take; cut the cloud into tiles or write plain .laz");
+                " MiB that sorting them into an octree may take; give more (ilot convert --memory), cut the cloud into "
+                "tiles or write plain .laz");
   }
 
   const std::byte* row(std::uint64_t i) const {
@@ -251,9 +252,8 @@ class CopcWriter final : public PointWriter {
 
 }  // namespace
 
-std::unique_ptr<PointWriter> create_copc(const std::filesystem::path& path, const CloudSpec& spec,
-                                         const CopcOptions& options) {
-  return std::make_unique<CopcWriter>(path, spec, options.memory_bytes);
+std::unique_ptr<PointWriter> create_copc(const std::filesystem::path& path, const CloudSpec& spec) {
+  return std::make_unique<CopcWriter>(path, spec);
 }
 
 }  // namespace ilot

@@ -196,14 +196,14 @@ TEST(CopcWriter, NoPointsAndCoincidentPoints) {
 TEST(CopcWriter, WhatDoesNotFitTheMemoryIsRefusedAndNothingStays) {
   const Folder folder;
   CloudSpec spec = copc_spec_of(6, 0);
-  const CopcOptions options{std::uint64_t{46} * 1000};
+  spec.octree_bytes = std::uint64_t{46} * 1000;
   {
-    const auto writer = create_copc(folder / "t.copc.laz", spec, options);
+    const auto writer = create_copc(folder / "t.copc.laz", spec);
     writer->write(std::vector<std::byte>(30 * 1000));
     EXPECT_THROW(writer->write(std::vector<std::byte>(30)), Error);
   }
   spec.like.points = 1001;
-  EXPECT_THROW(create_copc(folder / "t.copc.laz", spec, options), Error);
+  EXPECT_THROW(create_copc(folder / "t.copc.laz", spec), Error);
   EXPECT_EQ(folder.files(), 0u);
 }
 
