@@ -14,6 +14,7 @@ import json
 import pathlib
 import re
 import struct
+import subprocess
 import sys
 import threading
 
@@ -181,6 +182,25 @@ def table(steps):
               f"{h['nodes'] / 1e6:.2f} MB ({h['sent'] / h['nodes']:.3f})")
 
 
+def costs(exe, steps, work):
+    """Of a million points, and in brackets of a km2 that has points."""
+    print("\n| product | points per m2 | plan, s | tasks, s | merge, s | read, MB | written, MB | parts, MB | result, MB |")
+    print("|---|---|---|---|---|---|---|---|---|")
+    for name, (scene, _, sides) in CASES.items():
+        side = sides[0]
+        if f"{name} merge {side}" not in steps.done:
+            continue
+        info = json.loads(subprocess.run([exe, "info", "--json", work / f"{scene}.copc.laz"], capture_output=True, check=True).stdout)[0]
+        density, millions = info["density_per_m2"]["all_returns"], info["points"]["read"] / 1e6
+        last = steps.done[f"{name} merge {side}"]
+        tasks = [s for n, s in steps.done.items() if n.startswith(f"{name} task {side} ")]
+        all_steps = [steps.done[f"{name} plan {side}"], *tasks, last]
+        values = [steps.total(f"{name} plan {side}"), steps.total(f"{name} task {side} "), steps.total(f"{name} merge {side}"),
+                  *(sum(s[k] for s in all_steps) / 1e6 for k in ("read", "written")), last["parts"] / 1e6, last["result"] / 1e6]
+        cells = " | ".join(f"{v / millions:.2f} ({v / millions * density:.3g})" for v in values)
+        print(f"| {name} | {density:.1f} | {cells} |")
+
+
 def main():
     p = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     p.add_argument("exe", type=pathlib.Path)
@@ -193,6 +213,7 @@ def main():
     for name in a.case or [*CASES, "http"]:
         fetched(exe, work, steps, log) if name == "http" else run_case(exe, work, name, steps, log)
     table(steps)
+    costs(exe, steps, work)
 
 
 if __name__ == "__main__":

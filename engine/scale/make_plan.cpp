@@ -217,6 +217,7 @@ void fill_folder(const PlanOptions& options, const RunInputs& inputs, std::vecto
                  Progress& progress, RunRecord& record) {
   const RunOptions& run = options.run;
   const fs::path folder = run.output;
+  fs::remove_all(folder / ".store");  // of a start that was stopped
   Plan plan = begun(options, inputs, record);
   const std::uint64_t block_points = affordable_block_points(run, thread_count());
   PassContext context = pass_context(run, inputs, block_points, progress);

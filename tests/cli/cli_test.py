@@ -193,6 +193,10 @@ class Cli(CliCase):
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
         self.assertEqual(copy.read_bytes()[-20 * 2000:], self.cloud.read_bytes()[-20 * 2000:])
         self.refuse(["convert", self.cloud, copy], "--overwrite")
+        octree = self.folder / "small.copc.laz"
+        little = ilot("convert", self.cloud, octree, "--memory", "1K", "-q")
+        self.assertIn("ilot convert --memory", little.stderr)
+        self.assertEqual((little.returncode, octree.exists()), (1, False))
         self.assertEqual(ilot("convert", self.cloud, copy, "--overwrite").returncode, 0)
         self.refuse(["convert", self.cloud, self.folder / "copy.xyzzy"], "xyzzy", code=ilot(
             "convert", self.cloud, self.folder / "copy.xyzzy").returncode)

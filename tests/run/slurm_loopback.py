@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A cluster of this machine alone: slurmctld and one slurmd on the loopback, with munge (Debian: slurm-wlm, munge; as root)."""
 import contextlib
+import datetime
 import os
 import pathlib
 import shutil
@@ -92,14 +93,15 @@ def submit(environment, *arguments):
 
 
 def wait_for_jobs(environment, seconds=600):
-    """Jobs that were requeued start at once here; a cluster lets them wait for two minutes."""
+    """Jobs that were requeued start after some seconds here; a cluster lets them wait for two minutes."""
     quiet = {"env": environment, "capture_output": True, "text": True}
 
     def done():
-        waiting = subprocess.run(["squeue", "-h", "-r", "-o", "%i %r"], **quiet).stdout.split("\n")[:-1]
-        for job, why in (line.split(maxsplit=1) for line in waiting):
-            if why == "BeginTime":
-                subprocess.run(["scontrol", "update", f"JobId={job}", "StartTime=now"], **quiet)
+        waiting = subprocess.run(["squeue", "-h", "-r", "-o", "%i %S"], **quiet).stdout.split("\n")[:-1]
+        for job, start in (line.split() for line in waiting):
+            soon = (datetime.datetime.now() + datetime.timedelta(seconds=10)).isoformat()
+            if start > soon and start[0].isdigit():  # at once its node would refuse it: what was killed is known there still
+                subprocess.run(["scontrol", "update", f"JobId={job}", "StartTime=now+5"], **quiet)
         return not waiting
 
     wait_until(done, seconds, "the jobs")

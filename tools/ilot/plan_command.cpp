@@ -180,7 +180,9 @@ void add_plan_work(CLI::App& command, PlanArguments& given) {
       ->option_text("FILE");
   command.add_option("--crs", given.crs, "overrides what the inputs say [theirs]")->option_text("EPSG:n");
   add_dialect_option(command, given.dialect);
-  command.add_option("--store", given.store, "folder for blocks while the plan is made, is emptied [PLAN/.store]")
+  command
+      .add_option("--store", given.store,
+                  "folder for blocks, of roofs without footprints alone; is emptied [PLAN/.store]")
       ->option_text("DIR");
 }
 
