@@ -32,6 +32,7 @@
 #include "engine/run/inputs/open_inputs.h"
 #include "engine/run/memory_budget.h"
 #include "engine/run/output_folder.h"
+#include "engine/run/peak_warning.h"
 #include "engine/run/products.h"
 #include "engine/run/run_context.h"
 #include "engine/run/run_estimate.h"
@@ -234,15 +235,6 @@ int dry_run(const RunOptions& options, const RunInputs& inputs, std::size_t site
   return 0;
 }
 
-// --memory was too small for one of the steps that docs/limits.md lists. The warning says what is enough.
-void warn_of_peak(Progress& progress, RunRecord& record) {
-  if (record.peak_rss_bytes <= record.memory_bytes) return;
-  const auto mebibytes = [](std::uint64_t bytes) { return std::to_string((bytes + (1u << 20) - 1) >> 20) + " MiB"; };
-  record.warnings.push_back("the peak of memory was " + mebibytes(record.peak_rss_bytes) + ", above --memory (" +
-                            mebibytes(record.memory_bytes) + "); docs/limits.md names the steps that can do this");
-  progress.warn(record.warnings.back());
-}
-
 // Fills in the values that are known when all products are made.
 void complete_record(const RunOptions& options, Progress& progress, double start, RunRecord& record) {
   record.exit = record.skipped.empty() ? ExitCode::ok : ExitCode::incomplete;
@@ -254,7 +246,8 @@ void complete_record(const RunOptions& options, Progress& progress, double start
   record.stages = progress.stages();
   record.seconds = now() - start;
   record.peak_rss_bytes = peak_resident_bytes();
-  warn_of_peak(progress, record);
+  const std::string warning = warn_of_peak(record.memory_bytes, progress);
+  if (!warning.empty()) record.warnings.push_back(warning);
 }
 
 // Makes the report of the finished result and returns what to open. A report that cannot be made spoils no result.

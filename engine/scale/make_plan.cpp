@@ -26,6 +26,7 @@
 #include "engine/run/inputs/input_crs.h"
 #include "engine/run/inputs/open_inputs.h"
 #include "engine/run/memory_budget.h"
+#include "engine/run/peak_warning.h"
 #include "engine/run/products.h"
 #include "engine/run/run_context.h"
 #include "engine/run/run_request.h"
@@ -273,6 +274,7 @@ int make_plan(const PlanOptions& options, Progress& progress) {
     set_memory_limit(memory_to_fill(run));
     const KeptColumns kept;
     fill_folder(options, inputs, std::move(given), progress, record);
+    warn_of_peak(run.memory_bytes, progress);
     progress.run_done(plan_estimate(run.output));
     code = static_cast<int>(record.skipped.empty() ? ExitCode::ok : ExitCode::incomplete);
   });

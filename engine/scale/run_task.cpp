@@ -13,6 +13,7 @@
 #include "engine/products/roofs/roof_roles.h"
 #include "engine/report/counted.h"
 #include "engine/run/memory_budget.h"
+#include "engine/run/peak_warning.h"
 #include "engine/scale/chunk_boxes.h"
 #include "engine/scale/label_task.h"
 #include "engine/scale/parts/building_part.h"
@@ -106,6 +107,7 @@ int work_on_area(const TaskOptions& options, const Plan& plan, Progress& progres
   summary = make_part(options, plan, area, elsewhere ? *elsewhere : *beside, made, progress);
   check_inputs(plan, area.inputs);  // a change while the task read
   publish_part(made, part);         // a twin's file has the same bytes
+  warn_of_peak(options.memory_bytes, progress);
   progress.run_done(part.string() + ": " + (makes_roofs(plan) ? counted(area.sites, "building") : "") +
                     (makes_roofs(plan) && carries_points(plan) ? ", " : "") +
                     (carries_points(plan) ? counted(summary.cells, "cell") : "") +

@@ -69,18 +69,18 @@ def with_make(folder, plan, areas, clouds):
 
 
 def sides(cloud):
-    """Sides of square areas of which about so many cover the cloud, each number of areas once."""
+    """Sides of square areas of which about so many cover the cloud, each side once: the least is 33 m."""
     bounds = json.loads(run(EXE, "info", "--json", cloud))[0]["bounds"]
     low, high = bounds["min"], bounds["max"]
     surface = (high[0] - low[0]) * (high[1] - low[1])
-    return {areas: max(33, round(math.sqrt(surface / areas))) if areas > 1 else 100_000 for areas in AREAS}
+    return dict.fromkeys(max(33, round(math.sqrt(surface / areas))) if areas > 1 else 100_000 for areas in AREAS)
 
 
 def compare(name, cloud, options, engines, folder):
     rng, one = random.Random(SEED), folder / "one"
     run(EXE, "run", cloud, "-o", one, "--products", PRODUCTS, "--no-report", *options, code=(0, 3))
-    for wanted, side in sides(cloud).items():
-        plan = folder / f"plan-{wanted}"
+    for side in sides(cloud):
+        plan = folder / f"plan-{side}"
         run(EXE, "plan", cloud, "-o", plan, "--products", PRODUCTS, "--area-size", side, *options)
         areas = len(json.loads((plan / "plan.json").read_text())["areas"])
         for engine in engines:

@@ -14,6 +14,7 @@
 #include "engine/report/sha256.h"
 #include "engine/run/folder_lock.h"
 #include "engine/run/inputs/input_crs.h"
+#include "engine/run/peak_warning.h"
 #include "engine/run/products.h"
 #include "engine/run/result_swap.h"
 #include "engine/scale/label_store.h"
@@ -101,13 +102,15 @@ void check_output(const fs::path& out) {
 }
 
 // Adds what is known of the finished files, and writes run.json beside them.
-void finish_record(const fs::path& staging, const Progress& progress, RunRecord& record) {
+void finish_record(const fs::path& staging, std::uint64_t memory_bytes, Progress& progress, RunRecord& record) {
   record.exit = record.skipped.empty() ? ExitCode::ok : ExitCode::incomplete;
   for (const std::string& name : product_files(staging))
     record.results.push_back({name, fs::file_size(staging / name)});
   record.result_hash = result_hash(staging);
   record.stages = progress.stages();
   record.peak_rss_bytes = peak_resident_bytes();
+  const std::string warning = warn_of_peak(memory_bytes, progress);
+  if (!warning.empty()) record.warnings.push_back(warning);
   write_run_json(record, staging);
 }
 
@@ -148,7 +151,7 @@ int merge_in_arena(const MergeOptions& options, Progress& progress) {
   record.threads = points ? thread_count() : 1;
   if (points) record.memory_bytes = options.memory_bytes;
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  finish_record(staging, progress, record);
+  finish_record(staging, options.memory_bytes, progress, record);
   swap_result(out, {});
   if (beside) publish_labels(beside->path() / "store", plan, options.plan, record.result_hash);
   std::string text = product_lines(plan.products, record, out) + "all      " + counted(areas.size(), "part");
