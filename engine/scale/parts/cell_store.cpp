@@ -88,7 +88,7 @@ struct RoofRecords {
 };
 
 SortedRun unpack_part(const fs::path& part, std::span<const std::uint32_t> inputs, const Plan& plan, const Store& store,
-                      const fs::path& stem, std::atomic<bool>& any_stations) {
+                      const fs::path& stem, std::atomic<bool>& any_stations, const PassContext& context) {
   SortedRunWriter run(stem);
   RecordFileReader file(part);
   std::optional<RoofRecords> roofs;
@@ -103,6 +103,7 @@ SortedRun unpack_part(const fs::path& part, std::span<const std::uint32_t> input
         throw Error(part.string() + ": its cells are not in order");
       last = cell.node;
       unpack_cell(cell, inputs, plan, store, run, any_stations);
+      context.advance(cell.codes.size());
     }
   } catch (const nlohmann::json::exception&) {
     throw Error(part.string() + ": is damaged; remove it and run its task again");
@@ -165,7 +166,7 @@ Store store_of_parts(const fs::path& parts, std::span<const std::uint64_t> areas
   std::atomic<bool> any_stations = false;
   run_pass(std::vector<PassTask>(areas.size(), {kBytesToUnpack, 1}), context.budget_bytes, [&](std::size_t i) {
     runs[i] = unpack_part(parts / std::to_string(areas[i]), plan.areas[areas[i] - 1].inputs, plan, empty,
-                          folder / "runs" / std::to_string(i), any_stations);
+                          folder / "runs" / std::to_string(i), any_stations, context);
   });
   IndexParams params;
   params.block_points = block_points;
