@@ -114,8 +114,8 @@ struct IndexFiles {
 };
 
 // The file of strays begins with the bits of its cells.
-void write_strays(const Strays& strays, int bits, const fs::path& path) {
-  std::vector<CoarseCell> cells{{bits, 0, 0}};
+void write_strays(const Strays& strays, const fs::path& path) {
+  std::vector<CoarseCell> cells{{strays.bits(), 0, 0}};
   cells.insert(cells.end(), strays.cells().begin(), strays.cells().end());
   write_column<CoarseCell>(path, cells);
 }
@@ -160,7 +160,7 @@ InputLattice write_index(const std::vector<std::unique_ptr<PointReader>>& inputs
   const Index3 corner = least_corner(cells, strays);
   write_column<std::uint64_t>(files.rejected(), rejected);
   write_column<Index3>(files.corner(), std::span(&corner, 1));
-  write_strays(strays, *with_cells.filter.coarse_bits, files.strays());
+  write_strays(strays, files.strays());
   write_column<Block>(files.done(), blocks);
   return asked;
 }

@@ -12,7 +12,7 @@ namespace ilot {
 namespace {
 
 constexpr std::uint64_t kBytesOfPoint = 10;        // code, class and echoes
-constexpr std::uint64_t kBytesOfTask = 8u << 20;   // windows and cells
+constexpr std::uint64_t kBytesOfTask = 16u << 20;  // windows and cells
 constexpr std::uint64_t kPointsOfTask = 1u << 20;  // least number; a task is some blocks in a row
 constexpr std::size_t kTasksAtOnce = 32;           // at most; their windows and cells are kept until all are done
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The density and the sampling step of the points of a run, in parts that are added in a fixed order.
+// The density and the sampling step of the points of a run, in parts.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -21,7 +21,7 @@ class MeasuredCells {
   void add_echoes(std::uint8_t echoes);
   void add(const MeasuredCells& next);
 
-  // After all parts were added, in the order of their points. Without a class that was added all are 0, without echoes
+  // After all parts were added, in any order. Without a class that was added all are 0, without echoes
   // all points are last returns. O(points of the windows x log).
   CloudMeasure measure();
 

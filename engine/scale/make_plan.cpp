@@ -119,7 +119,6 @@ PointSurvey survey_all(const RunOptions& options, const RunInputs& inputs, Index
   for (;;) {
     params.unit = lattice.unit;
     params.multiple = lattice.multiple;
-    params.filter.coarse_bits = coarse_bits(lattice.unit * inputs.crs.metres_per_unit);
     set_lattice(options, inputs, lattice, context);
     progress.begin_stage("survey", inputs.points);
     PointSurvey survey = survey_points(inputs.readers, params, context);
@@ -146,7 +145,7 @@ void freeze_survey(const fs::path& folder, const PointSurvey& survey, const RunI
   plan.lattice = survey.lattice;
   plan.rounding = context.rounding;
   plan.corner = survey.corner;
-  plan.stray_bits = coarse_bits(survey.lattice.unit * context.metres_per_unit);
+  plan.stray_bits = survey.strays.bits();
   plan.strays = survey.strays.cells();
   plan.points = inputs.points;
   for (std::size_t i = 0; i < kRejections; ++i)
@@ -169,6 +168,8 @@ std::vector<PlannedSite> found_sites(const PlanOptions& options, const RunInputs
   progress.begin_stage("index", inputs.points);
   const IndexResult index = build_index(inputs.readers, params, store, context);
   progress.end_stage();
+  if (!(index.lattice == InputLattice{params.unit, params.multiple}))
+    throw Error("the inputs changed while the plan was made; make it again");
   std::vector<PlannedSite> sites = find_sites(options, index.store, context, progress, record, plan);
   fs::remove_all(store);
   return sites;

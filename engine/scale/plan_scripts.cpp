@@ -18,7 +18,8 @@ constexpr std::array<const char*, 5> kKinds{"make", "slurm", "snakemake", "dask"
 // In all scripts @PLAN@ is the folder, @N@ the number of areas, @I@ that of inputs, @M@ the memory of a task in MiB.
 // Lines that begin with @C@ are for plans whose clouds can be labelled, those with @R@ for the others; @U@ for parts in
 // an object store, where empty files in PLAN/parts say which are there, @L@ for the others. What ended with neither 0,
-// 3 (done) nor 1, 2 (bad input) is tried again: the machine was at fault, or a signal ended it.
+// 3 (done) nor 1, 2 (bad input), 130 (stopped by a user) is tried again: the machine was at fault, or a signal ended
+// it.
 constexpr const char* kMake = R"(# make -j 8 -f THIS OUT=out
 @C@# make -j 8 -f THIS OUT=out clouds: labelled clouds too
 ILOT ?= ilot
@@ -30,11 +31,11 @@ $(OUT)/run.json: $(patsubst %,$(PLAN)/parts/%,$(shell seq 1 @N@))
 @C@clouds: $(patsubst %,label-%,$(shell seq 1 @I@))
 @C@label-%: $(OUT)/run.json
 @C@	for try in 1 2 3; do $(ILOT) task $(PLAN) label $* -o $(OUT) --threads 1 -q; code=$$?; \
-@C@	  case $$code in 0|1|2|3) exit $$code;; *) sleep 1;; esac; done; exit $$code
+@C@	  case $$code in 0|1|2|3|130) exit $$code;; *) sleep 1;; esac; done; exit $$code
 $(PLAN)/parts/%: $(PLAN)/plan.json
 	for try in 1 2 3; do $(ILOT) task $(PLAN) $* --threads 1 -q; code=$$?; \
-@L@	  case $$code in 0|3) exit 0;; 1|2) exit $$code;; *) sleep 1;; esac; done; exit $$code
-@U@	  case $$code in 0|3) touch $@; exit 0;; 1|2) exit $$code;; *) sleep 1;; esac; done; exit $$code
+@L@	  case $$code in 0|3) exit 0;; 1|2|130) exit $$code;; *) sleep 1;; esac; done; exit $$code
+@U@	  case $$code in 0|3) touch $@; exit 0;; 1|2|130) exit $$code;; *) sleep 1;; esac; done; exit $$code
 )";
 
 constexpr const char* kSlurm = R"(#!/bin/sh
@@ -48,7 +49,7 @@ constexpr const char* kSlurm = R"(#!/bin/sh
 code=$?
 case $code in
   0|3) exit 0;;
-  1|2) exit $code;;
+  1|2|130) exit $code;;
 esac
 [ "${SLURM_RESTART_COUNT:-0}" -lt 3 ] && scontrol requeue "${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID"
 exit $code
@@ -86,7 +87,7 @@ def run_all(tasks):
     tries, work = {}, as_completed([client.submit(task, *words, pure=False, retries=3) for words in tasks])
     for words, code in (future.result() for future in work):
         tries[words] = tries.get(words, 0) + 1
-        if code not in (0, 1, 2, 3) and tries[words] < 4:
+        if code not in (0, 1, 2, 3, 130) and tries[words] < 4:
             work.add(client.submit(task, *words, pure=False, retries=3))
         elif code not in (0, 3):
             raise SystemExit(f"task {' '.join(words)}: exit {code}")

@@ -129,6 +129,7 @@ std::vector<std::uint32_t> inputs_of(const TaskOptions& options, const Plan& pla
 int work_on(const TaskOptions& options, const Plan& plan, Progress& progress) {
   if (!options.label) return work_on_area(options, plan, progress);
   label_input(options, plan, progress);
+  warn_of_peak(options.memory_bytes, progress);
   return 0;
 }
 

@@ -22,6 +22,7 @@ class Strays {
   Strays() = default;
   Strays(int bits, std::vector<CoarseCell> cells);  // cells ascending
 
+  int bits() const { return bits_; }  // the edge of its cells is 2^bits lattice steps
   const std::vector<CoarseCell>& cells() const { return cells_; }
   bool contains(Index3 p) const;
   std::vector<CodeRange> in_tile(Tile tile) const;  // ascending, disjoint

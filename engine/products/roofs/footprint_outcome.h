@@ -13,7 +13,7 @@
 
 namespace ilot {
 
-// The extent of the store's points in millimetres, the unit of outlines.
+// The extent of points in millimetres, the unit of outlines, from their box in lattice steps.
 GridBox extent_of_points(const IndexBox& points, double step_metres);
 
 // The ids of sites, and of those whose outlines lie wholly outside of an extent.

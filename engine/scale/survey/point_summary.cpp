@@ -29,9 +29,8 @@ class CellTally {
     if (of_class_ == nullptr || p.classification != class_) of_class_ = &sums_.classes[class_ = p.classification];
     ++*of_class_;
     const int bits = sums_.map.bits();
-    const PlanSquare square{p.at.y >> bits, p.at.x >> bits};
-    if (square != square_) end_square();
-    square_ = square;
+    if (in_square_ > 0 && square_ != PlanSquare{p.at.y >> bits, p.at.x >> bits}) end_square();
+    if (in_square_ == 0) square_ = {p.at.y >> sums_.map.bits(), p.at.x >> sums_.map.bits()};
     ++in_square_;
   }
 
@@ -71,12 +70,17 @@ PointSummary::PointSummary(double step_metres)
       cells_(cell_bits_),
       settled_(square_bits_) {}
 
-PointSums& PointSummary::sums_at(CoarseCell cell) {
+// A cell of many places stays one whatever is added, and so does the larger cell that contains it.
+bool PointSummary::is_many(CoarseCell cell) const {
+  const int by = cells_.bits() - cell_bits_;
+  const auto found = cells_.cells().find({cell.x >> by, cell.y >> by, cell.z >> by});
+  return found != cells_.cells().end() && found->second.many;
+}
+
+PointSums& PointSummary::apart_at(CoarseCell cell) {
   const auto [at, is_new] = apart_.try_emplace(cell, square_bits_);
   if (is_new) {
-    const Tile tile = key_of(corner_of(cell, cell_bits_)).tile;
-    tiles_.insert(tile);
-    tiles_apart_.insert(tile);
+    tiles_apart_.insert(key_of(corner_of(cell, cell_bits_)).tile);
     refuse_many_tiles(tiles_apart_.size());
   }
   return at->second;
@@ -86,11 +90,14 @@ void PointSummary::add(std::span<const LatticePoint> points, std::uint32_t input
   for (std::size_t i = 0; i < points.size();) {
     const std::size_t chunk = chunks.chunk_of(points[i].row);
     const CoarseCell cell = coarse_cell(points[i].at, cell_bits_);
-    CellTally tally(sums_at(cell), {input, chunk});
+    CellTally tally(is_many(cell) ? settled_ : apart_at(cell), {input, chunk});
+    Tile tile = key_of(points[i].at).tile;
+    tiles_.insert(tile);
     for (; i < points.size() && points[i].row < chunks.rows[chunk + 1] && coarse_cell(points[i].at, cell_bits_) == cell;
          ++i) {
       tally.add(points[i]);
       cells_.add(points[i].at);
+      if (const Tile next = key_of(points[i].at).tile; next != tile) tiles_.insert(tile = next);
     }
   }
 }
@@ -99,25 +106,22 @@ void PointSummary::add(const PointSummary& part) {
   cells_.merge(part.cells_);
   settled_.add(part.settled_);
   tiles_.insert(part.tiles_.begin(), part.tiles_.end());
-  for (const auto& [cell, sums] : part.apart_) sums_at(cell).add(sums);
+  for (const auto& [cell, sums] : part.apart_) apart_at(cell).add(sums);
   settle();
 }
 
-// A cell of many places stays one whatever is added, and so does the larger cell that contains it.
 void PointSummary::settle() {
-  const int by = cells_.bits() - cell_bits_;
   std::erase_if(apart_, [&](const auto& entry) {
-    const CoarseCell& c = entry.first;
-    if (!cells_.cells().at({c.x >> by, c.y >> by, c.z >> by}).many) return false;
-    settled_.add(entry.second);
-    return true;
+    const bool many = is_many(entry.first);
+    if (many) settled_.add(entry.second);
+    return many;
   });
   tiles_apart_.clear();
   for (const auto& [cell, sums] : apart_) tiles_apart_.insert(key_of(corner_of(cell, cell_bits_)).tile);
 }
 
-std::pair<PointSums, std::uint64_t> PointSummary::without(const Strays& strays) const {
-  std::pair<PointSums, std::uint64_t> all{settled_, 0};
+std::pair<PointSums, std::uint64_t> PointSummary::without(const Strays& strays) && {
+  std::pair<PointSums, std::uint64_t> all{std::move(settled_), 0};
   for (const auto& [cell, sums] : apart_) {
     if (strays.contains(corner_of(cell, cell_bits_)))
       all.second += sums.points;

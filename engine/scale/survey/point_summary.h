@@ -37,20 +37,21 @@ class PointSummary {
   // `step_metres` is a step of the lattice.
   explicit PointSummary(double step_metres);
 
-  // Adds points of one input. Memory: 64 bytes a square, and 80 for each chunk in each coarse cell. Throws Error where
-  // cells of few places lie in more tiles than a store may have.
+  // Adds points of one input. Memory: 64 bytes a square, kMostSquares at most, and 80 for each chunk, in each coarse
+  // cell of few places. Throws Error where such cells lie in more tiles than a store may have.
   void add(std::span<const LatticePoint> points, std::uint32_t input, const ChunkBoxes& chunks);
   // The result does not depend on the order in which parts are added.
   void add(const PointSummary& part);
 
   const CoarseCells& cells() const { return cells_; }
-  std::size_t tiles() const { return tiles_.size(); }  // of a store that has all points
+  std::size_t tiles() const { return tiles_.size(); }  // of a store that has all points, strays too
 
   // The sums without the strays, and how many points these are. To be called when all is added.
-  std::pair<PointSums, std::uint64_t> without(const Strays& strays) const;
+  std::pair<PointSums, std::uint64_t> without(const Strays& strays) &&;
 
  private:
-  PointSums& sums_at(CoarseCell cell);
+  bool is_many(CoarseCell cell) const;
+  PointSums& apart_at(CoarseCell cell);
   void settle();
 
   int cell_bits_, square_bits_;

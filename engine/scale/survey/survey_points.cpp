@@ -17,8 +17,13 @@ namespace {
 
 using Inputs = std::vector<std::unique_ptr<PointReader>>;
 
-constexpr std::uint64_t kBytesOfTask = (8u << 20) + kRowBytes;  // windows, cells and sums; a buffer of rows
-constexpr std::size_t kTasksAtOnce = 32;                        // at most; their sums are kept until all are done
+constexpr std::uint64_t kBytesOfTask = (16u << 20) + kRowBytes;  // windows and cells of the measure; a buffer of rows
+constexpr std::uint64_t kBytesOfRow = 64;  // where each lies in a square of its own, up to kMostSquares
+constexpr std::size_t kTasksAtOnce = 32;   // at most; their sums are kept until all are done
+
+std::uint64_t bytes_of(const InputStretch& stretch) {
+  return kBytesOfTask + kBytesOfRow * std::min<std::uint64_t>(stretch.count, kMostSquares);
+}
 
 // The box that the heads of the inputs state, lattice steps; empty where one states none.
 IndexBox stated_box(const Inputs& inputs, double unit) {
@@ -51,14 +56,18 @@ std::vector<InputStretch> all_stretches(const Inputs& inputs, const IndexParams&
 template <class Part, class Read, class Take>
 void for_each_part(std::span<const InputStretch> stretches, std::uint64_t budget_bytes, const Part& empty,
                    const Read& read, const Take& take) {
-  const std::size_t most = std::clamp<std::size_t>(budget_bytes / (2 * kBytesOfTask), 1, kTasksAtOnce);
-  for (std::size_t first = 0; first < stretches.size(); first += most) {
-    const std::size_t count = std::min(most, stretches.size() - first);
-    std::vector<Part> parts(count, empty);
+  for (std::size_t first = 0; first < stretches.size();) {
     std::vector<PassTask> tasks;
-    for (std::size_t i = 0; i < count; ++i) tasks.push_back({kBytesOfTask, stretches[first + i].count});
+    for (std::uint64_t bytes = 0; first + tasks.size() < stretches.size() && tasks.size() < kTasksAtOnce;) {
+      const InputStretch& stretch = stretches[first + tasks.size()];
+      bytes += bytes_of(stretch);
+      if (!tasks.empty() && bytes > budget_bytes) break;
+      tasks.push_back({bytes_of(stretch), stretch.count});
+    }
+    std::vector<Part> parts(tasks.size(), empty);
     run_pass(tasks, budget_bytes, [&](std::size_t i) { read(stretches[first + i], parts[i]); });
     for (const Part& part : parts) take(part);
+    first += parts.size();
   }
 }
 
@@ -132,16 +141,16 @@ class Survey {
   }
 
   void fill(const Strays& strays, PointSurvey& result) {
-    const auto [sums, left_out] = all_.summary.without(strays);
+    result.corner = least_corner(all_.summary.cells(), strays);
+    result.tiles = all_.summary.tiles();
+    auto [sums, left_out] = std::move(all_.summary).without(strays);
     result.rejected = all_.rejected;
     result.rejected[static_cast<std::size_t>(Rejection::stray)] = left_out;
-    result.corner = least_corner(all_.summary.cells(), strays);
     result.strays = strays;
     result.points = sums.points;
     result.box = sums.box();
-    result.tiles = all_.summary.tiles();
     for (const auto& [code, count] : sums.classes) result.classes[code] = count;
-    result.map = sums.map;
+    result.map = std::move(sums.map);
     result.chunks = chunks_;
     for (const auto& [chunk, box] : sums.chunks) result.chunks[chunk.first].boxes[chunk.second] = box;
     if (all_.as_stated && result.box == stated_ && result.points == rows_of(inputs_))

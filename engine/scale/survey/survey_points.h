@@ -23,7 +23,7 @@ struct PointSurvey {
   Strays strays;
   std::uint64_t points = 0;  // without those that are rejected, which strays are too
   IndexBox box = IndexBox::none();
-  std::size_t tiles = 0;  // of a store that would have all of them
+  std::size_t tiles = 0;  // of a store that would have all of them, and the strays
   std::array<std::uint64_t, 256> classes{};
   PointMap map{0};
   std::vector<ChunkBoxes> chunks;       // of each input
@@ -32,8 +32,8 @@ struct PointSurvey {
 
 // Reads each input once. The lattice, the strays, the corner and what is rejected are those of build_index with the
 // same parameters; of these, those of areas, blocks and rows have no meaning here. No result depends on threads.
-// Memory: some 8 MiB a thread, and of the whole what PointSummary says. Where `params.classes` are none, the measure
-// has none.
+// Memory: 20 MiB and 64 bytes a row (64 MiB at most) for each part that is read at once, within the budget, and for the
+// whole what PointSummary says. Where `params.classes` are none, the measure has none.
 PointSurvey survey_points(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params,
                           const PassContext& context);
 
