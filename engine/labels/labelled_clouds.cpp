@@ -16,6 +16,7 @@
 #include "engine/formats/writer.h"
 #include "engine/pass/pass.h"
 #include "engine/pass/resident.h"
+#include "engine/store/row_places.h"
 #include "engine/version.h"
 #include "kernels/core/parallel.h"
 
@@ -63,6 +64,7 @@ struct Stretch {
 };
 
 enum class Kept { valid_rows, all_rows };
+enum class Reads { places, all_fields };
 
 // Gives the rows that nobody classified (0 and 1) the class of the ASPRS that follows from their label. Other classes
 // stay.
@@ -131,7 +133,7 @@ class Labeller {
     const std::vector<std::uint64_t> bounds = input_.boundaries();
     input_.limit_to(kFieldZ);
     const std::uint64_t labelled = by_stretches(
-        bounds, output.appended_length(),
+        bounds, output.appended_length(), Reads::places,
         [&](std::size_t chunk, const Stretch& s) { return output.extend(chunk, s.rows, s.appended); },
         [&](const LazExtender::Chunk& chunk) { output.append(chunk); });
     input_.limit_to(kAllFields);
@@ -146,7 +148,8 @@ class Labeller {
     std::vector<std::uint64_t> bounds{0};
     while (bounds.back() < points) bounds.push_back(std::min(bounds.back() + stretch, points));
     const std::uint64_t labelled = by_stretches(
-        bounds, ours, [&](std::size_t, const Stretch& s) { return joined_rows(s, length, ours, kept); },
+        bounds, ours, Reads::all_fields,
+        [&](std::size_t, const Stretch& s) { return joined_rows(s, length, ours, kept); },
         [&](const std::vector<std::byte>& rows) { output.write(rows); });
     output.finish();
     return labelled;
@@ -155,8 +158,8 @@ class Labeller {
   // Reads, labels and prepares the stretches between bounds in parallel, a few at a time. Calls `put` with the prepared
   // stretches in order.
   template <class Prepare, class Put>
-  std::uint64_t by_stretches(std::span<const std::uint64_t> bounds, std::size_t appended_length, const Prepare& prepare,
-                             const Put& put) const {
+  std::uint64_t by_stretches(std::span<const std::uint64_t> bounds, std::size_t appended_length, Reads reads,
+                             const Prepare& prepare, const Put& put) const {
     const std::size_t together = stretches_at_once(bounds, appended_length);
     std::vector<std::invoke_result_t<Prepare, std::size_t, const Stretch&>> prepared(together);
     std::vector<std::uint64_t> labelled(together);
@@ -165,7 +168,7 @@ class Labeller {
       stop_if_asked();
       const std::size_t count = std::min(together, bounds.size() - 1 - at);
       parallel_for(count, [&](std::size_t i) {
-        const Stretch s = read_stretch(bounds[at + i], bounds[at + i + 1] - bounds[at + i], appended_length);
+        const Stretch s = read_stretch(bounds[at + i], bounds[at + i + 1] - bounds[at + i], appended_length, reads);
         labelled[i] = s.labelled;
         prepared[i] = prepare(at + i, s);
       });
@@ -189,12 +192,13 @@ class Labeller {
     return static_cast<std::size_t>(std::clamp<std::uint64_t>(room, 1, 2 * static_cast<std::uint64_t>(thread_count())));
   }
 
-  Stretch read_stretch(std::uint64_t first, std::uint64_t count, std::size_t appended_length) const {
+  Stretch read_stretch(std::uint64_t first, std::uint64_t count, std::size_t appended_length, Reads reads) const {
     const std::size_t length = input_.info().layout.record_length;
     Stretch s;
     s.rows.resize(count * length);
-    s.valid.resize(count);
-    if (input_.read(first, s.rows, s.valid) != count)
+    s.valid.assign(count, 1);
+    const bool kept = reads == Reads::places && take_places(store_.folder(), file_, first, length, s.rows);
+    if (!kept && input_.read(first, s.rows, s.valid) != count)
       throw Error(input_.info().path.string() + ": can no longer be read in full; the file changed during the run");
     const InputOrder from = input_order(file_, first);
     const StretchLabels labels = rows_ != nullptr ? collect_labels(*rows_, from, count, products_)

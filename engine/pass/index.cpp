@@ -5,6 +5,8 @@
 #include <cstdio>
 
 #include "engine/error.h"
+#include "engine/formats/changed_reader.h"
+#include "engine/formats/laz/laz.h"
 #include "engine/formats/row_buffer.h"
 #include "engine/formats/rows_in_box.h"
 #include "engine/pass/input_lattice.h"
@@ -48,6 +50,23 @@ Reading reading_of(const std::vector<std::unique_ptr<PointReader>>& inputs, cons
   return reading;
 }
 
+// Which rows have their places kept: the first ones of inputs whose chunks are written again as they are, with only the
+// labels added (LazExtender).
+std::vector<bool> kept_places(const std::vector<std::unique_ptr<PointReader>>& inputs, std::uint64_t memory_bytes,
+                              const std::vector<InputStretch>& stretches) {
+  // Choice: an eighth of the memory; the rest of the cache is for columns.
+  constexpr std::uint64_t kPart = 8;
+  std::uint64_t bytes = 0;
+  std::vector<bool> kept(stretches.size());
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    const auto chunks = laz_chunks(reader_of_file(*inputs[stretches[i].file]));
+    if (!chunks || !chunks->compression.layout.layered()) continue;
+    bytes += stretches[i].count * kPlaceBytes;
+    kept[i] = bytes <= memory_bytes / kPart;
+  }
+  return kept;
+}
+
 fs::path stem_of(const fs::path& folder, std::uint32_t file, std::uint64_t first) {
   char name[48];
   std::snprintf(name, sizeof name, "f%06u_%013llu", file, static_cast<unsigned long long>(first));
@@ -55,16 +74,18 @@ fs::path stem_of(const fs::path& folder, std::uint32_t file, std::uint64_t first
 }
 
 // A stretch that is longer than a run (an input without random access) becomes several runs, front to back.
-std::vector<SortedRun> make_runs(PointReader& reader, const InputStretch& task, const IndexParams& params,
-                                 const fs::path& folder, const PassContext& context) {
+std::vector<SortedRun> make_runs(PointReader& reader, const InputStretch& task, bool keeps_places,
+                                 const IndexParams& params, const fs::path& folder, const PassContext& context) {
   std::vector<SortedRun> runs;
   for (std::uint64_t done = 0; done < task.count;) {
     const std::uint64_t count = std::min(task.count - done, 2 * params.run_points);
     const fs::path stem = stem_of(folder, task.file, task.first + done);
+    std::optional<PlaceKeeper> places;
+    if (keeps_places) places.emplace(folder, task.file, reader, task.first, task.count);
     auto found = reader.random_access() ? find_sorted_run(stem) : std::nullopt;
     if (found) context.advance(count);
     runs.push_back(found ? std::move(*found)
-                         : make_sorted_run({reader, task.file, task.first + done, count},
+                         : make_sorted_run({reader, task.file, task.first + done, count, places ? &*places : nullptr},
                                            {params.unit, params.multiple}, params.filter, stem, context.advance));
     done += count;
   }
@@ -74,12 +95,15 @@ std::vector<SortedRun> make_runs(PointReader& reader, const InputStretch& task, 
 std::vector<SortedRun> all_runs(const std::vector<std::unique_ptr<PointReader>>& inputs,
                                 const std::vector<InputStretch>& tasks, const IndexParams& params,
                                 const fs::path& folder, const PassContext& context) {
+  const std::vector<bool> keeps =
+      params.keep_places ? kept_places(inputs, context.memory_bytes, tasks) : std::vector<bool>(tasks.size());
   std::vector<std::vector<SortedRun>> parts(tasks.size());
   std::vector<PassTask> costs;
   for (const InputStretch& t : tasks)
     costs.push_back({std::min(t.count, 2 * params.run_points) * kBytesPerPoint + kRowBytes, t.count});
-  run_pass(costs, context.budget_bytes,
-           [&](std::size_t i) { parts[i] = make_runs(*inputs[tasks[i].file], tasks[i], params, folder, context); });
+  run_pass(costs, context.budget_bytes, [&](std::size_t i) {
+    parts[i] = make_runs(*inputs[tasks[i].file], tasks[i], keeps[i], params, folder, context);
+  });
   std::vector<SortedRun> runs;
   for (auto& part : parts)
     for (SortedRun& run : part) runs.push_back(std::move(run));

@@ -22,6 +22,7 @@ struct IndexParams {
   std::uint64_t run_points = 1u << 20;  // greatest size of one sorted run
   ClassColumns classes = ClassColumns::none;
   std::vector<std::vector<RowRange>> rows;  // of each input that may be kept, whole chunks; none: found in the files
+  bool keep_places = false;      // keeps places of rows in memory for the labelled clouds (engine/store/row_places.h)
   bool keep_strays = false;      // keeps points that are isolated and far from all others (engine/store/strays.h)
   std::optional<Strays> strays;  // known from all inputs of a plan; none: found among the points of these inputs
 };

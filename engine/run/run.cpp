@@ -93,6 +93,7 @@ IndexParams index_params(const RunOptions& options, const RunInputs& inputs, std
   p.filter.keep = area_with_halo(options.area, p.unit, inputs.crs.metres_per_unit);
   if (p.filter.keep) grow_to_sites(*p.filter.keep, options, sites, p.unit, inputs.crs.metres_per_unit);
   p.finest_step = options.settings.index.finest_step;
+  p.keep_places = options.clouds && !options.settings.classes.write;
   p.keep_strays = options.settings.index.keep_strays;
   for (const Product* product : products_to_make(options.products))
     if (product->reads_classes) p.classes = ClassColumns::written;

@@ -64,6 +64,7 @@ bool LatticeRowReader::next(LatticeRows& rows) {
     if (rejection) ++rejected_[static_cast<std::size_t>(*rejection)];
     if (rejection == Rejection::outside) rows.outside.push_back(at);
   }
+  if (source_.places != nullptr) source_.places->add(std::span(records_).first(got * length), length);
   done_ += got;
   rows.rows = got;
   return true;

@@ -11,6 +11,7 @@
 
 #include "engine/formats/reader.h"
 #include "engine/store/lattice.h"
+#include "engine/store/row_places.h"
 #include "kernels/geometry/box3.h"
 
 namespace ilot {
@@ -37,6 +38,7 @@ struct RowSource {
   PointReader& reader;
   std::uint32_t file = 0;              // number of the input
   std::uint64_t first = 0, count = 0;  // rows
+  PlaceKeeper* places = nullptr;       // gets all rows; null: none are kept
 };
 
 struct LatticePoint {

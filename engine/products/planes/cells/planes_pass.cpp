@@ -108,12 +108,12 @@ double epsilon_at_knee(const OrientedPoints& points, const Solved& s) {
       .chosen;
 }
 
-Solved search(const CellPoints& cp, const NeighbourIndex& index, const Settings& settings, double unit_metres,
-              std::int64_t reach) {
+Solved search(const CellPoints& cp, const NeighbourIndex& index, const Sampling& sampling, const Settings& settings,
+              double unit_metres, std::int64_t reach) {
   const Normals n = unpack(cp);
   const std::span<const PackedNormal> normals = std::span(cp.normals).first(cp.size);
   Solved s;
-  s.sampling = measure_sampling(index);
+  s.sampling = sampling;
   s.from = seen_from(normals);
   s.params = choose_plane_params(settings.planes, s.sampling, s.from, unit_metres, reach);
   const PlaneMethod method = choose_method(settings.planes, s.from);
@@ -151,7 +151,8 @@ ShapeSegments search_curved(const CellPoints& cp, const NeighbourIndex& index, c
 Solved search_kept(const CellPoints& cp, const std::vector<std::uint8_t>& kept, const Settings& settings,
                    double unit_metres, std::int64_t reach) {
   const CellPoints part = only(cp, kept);
-  Solved s = search(part, build_neighbour_index(part.points()), settings, unit_metres, reach);
+  const NeighbourIndex index = build_neighbour_index(part.points());
+  Solved s = search(part, index, measure_sampling(index), settings, unit_metres, reach);
   std::vector<std::uint32_t> label(cp.size, 0);
   for (std::size_t i = 0, at = 0; i < cp.size; ++i)
     if (kept[i] != 0) label[i] = s.found.label[at++];
@@ -167,7 +168,7 @@ Solved search_all(const CellPoints& cp, const NeighbourIndex& index, const Setti
   const SeenFrom from = seen_from(std::span(cp.normals).first(cp.size));
   const Sampling sampling = measure_sampling(index);
   const bool shapes = wants_curved(settings.planes, sampling.step * unit_metres);
-  if (!cleaned && !shapes) return search(cp, index, settings, unit_metres, reach);
+  if (!cleaned && !shapes) return search(cp, index, sampling, settings, unit_metres, reach);
   const PlaneParams params = choose_plane_params(settings.planes, sampling, from, unit_metres, reach);
   std::vector<std::uint8_t> kept(cp.size, 1);
   if (cleaned) kept = kept_points(index, settings.planes.cleaning, params);
@@ -176,7 +177,7 @@ Solved search_all(const CellPoints& cp, const NeighbourIndex& index, const Setti
   for (std::size_t i = 0; i < curved.label.size(); ++i)
     if (curved.label[i] != 0) kept[i] = 0;
   Solved s = cleaned || !curved.shapes.empty() ? search_kept(cp, kept, settings, unit_metres, reach)
-                                               : search(cp, index, settings, unit_metres, reach);
+                                               : search(cp, index, sampling, settings, unit_metres, reach);
   s.from = from;
   s.searched_curved = shapes;
   s.curved = std::move(curved);
