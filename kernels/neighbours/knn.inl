@@ -203,30 +203,53 @@ inline bool find_limit(const float* d2, std::uint32_t size, std::uint32_t k, std
   return high - low <= 1;
 }
 
-// Writes the nearby points of an answer, at most k. Returns the largest distance.
-inline float write_answer(const Nearby& near, const float* d2, float limit, std::uint32_t count, std::uint32_t k,
-                          std::uint32_t* out) {
+// Writes the points of an answer, at most k. Returns the largest distance.
+inline float write_answer(const Within& near, float limit, std::uint32_t count, std::uint32_t k, std::uint32_t* out) {
   std::uint32_t chosen[64 + 16];
   std::uint32_t n = 0;
   const Wide l = splat_wide(limit);
   Wide largest = splat_wide(0.0f);
   for (std::uint32_t i = 0; i < near.size; i += kWide) {
-    n += append_le(chosen + n, near.index + i, d2 + i, l);
-    largest = max8(largest, where_le(load_wide(d2 + i), l));
+    const Wide d2 = load_wide(near.d2 + i);
+    n += append_le(chosen + n, near.index + i, d2, l);
+    largest = max8(largest, where_le(d2, l));
   }
   for (std::uint32_t i = 0; i < k; ++i) out[i] = i < count ? chosen[i] : 0xffffffffu;
   return greatest(largest);
 }
 
 // Does the same where the last few of k are at the same distance as some points that are left out.
-inline float write_tied_answer(const Nearby& near, const float* d2, Limit limit, std::uint32_t* out) {
+inline float write_tied_answer(const Within& near, Limit limit, std::uint32_t* out) {
   for (std::uint32_t i = 0; i < near.size; ++i) {
-    const bool tied = d2[i] == limit.tie && limit.ties > 0;
-    if (!tied && d2[i] > limit.all) continue;
+    const bool tied = near.d2[i] == limit.tie && limit.ties > 0;
+    if (!tied && near.d2[i] > limit.all) continue;
     *out++ = near.index[i];
     limit.ties -= tied;
   }
   return limit.tie;
+}
+
+// Where few points, but more than k, are within the bound, each is compared with all of them: a point is one of the k
+// nearest when at most k, itself among them, are as near. No branch depends on distances. Returns the largest distance,
+// or -1 and no answer where the last of k are at the same distance as some that are left out.
+// Choice: with more points, fewer comparisons find a limit.
+constexpr std::uint32_t kFew = 32;
+inline float answer_by_ranks(const Within& near, std::uint32_t k, std::uint32_t* out) {
+  std::uint32_t chosen[kFew + 16];
+  std::uint32_t n = 0;
+  const Wide most = splat_wide(static_cast<float>(k));
+  Wide largest = splat_wide(0.0f);
+  for (std::uint32_t i = 0; i < near.size; i += kWide) {
+    const Wide mine = load_wide(near.d2 + i);
+    WideCount as_near = zero_wide_count();
+    for (std::uint32_t j = 0; j < near.size; ++j) count_le(as_near, splat_wide(near.d2[j]), mine);
+    const Wide rank = counts(as_near);
+    largest = max8(largest, select_le(rank, most, mine, splat_wide(0.0f)));
+    n += append_le(chosen + n, near.index + i, rank, most);
+  }
+  if (n < k) return -1;
+  for (std::uint32_t i = 0; i < k; ++i) out[i] = chosen[i];
+  return greatest(largest);
 }
 
 enum class Answer { kFound, kTooFew, kHard };
@@ -235,20 +258,24 @@ enum class Answer { kFound, kTooFew, kHard };
 // far path is needed.
 inline Answer near_query(const KnnArgs& a, std::uint32_t query, const Nearby& near, std::int64_t bound,
                          std::int64_t hint, std::uint32_t* out, std::int64_t& reach2) {
-  float d2[kNearCapacity + 16];
+  Within within;
   const std::uint32_t k = static_cast<std::uint32_t>(a.k);
   const float wide = static_cast<float>(bound);
-  const std::uint32_t within = measure(near, a.x[query], a.y[query], a.z[query], wide, d2);
-  if (within < k) {
+  measure(near, a.x[query], a.y[query], a.z[query], wide, within);
+  if (within.size < k) {
     if (bound < a.max_d2) return Answer::kTooFew;
-    write_answer(near, d2, wide, within, k, out);
+    write_answer(within, wide, within.size, k, out);
     reach2 = -1;
     return Answer::kFound;
   }
+  if (within.size > k && within.size <= kFew) {
+    reach2 = static_cast<std::int64_t>(answer_by_ranks(within, k, out));
+    if (reach2 >= 0) return Answer::kFound;
+  }
   Limit limit;
-  if (!find_limit(d2, near.size, k, within, wide, static_cast<float>(hint), limit)) return Answer::kHard;
-  reach2 = static_cast<std::int64_t>(limit.ties > 0 ? write_tied_answer(near, d2, limit, out)
-                                                    : write_answer(near, d2, limit.all, k, k, out));
+  if (!find_limit(within.d2, within.size, k, within.size, wide, static_cast<float>(hint), limit)) return Answer::kHard;
+  reach2 = static_cast<std::int64_t>(limit.ties > 0 ? write_tied_answer(within, limit, out)
+                                                    : write_answer(within, limit.all, k, k, out));
   return Answer::kFound;
 }
 

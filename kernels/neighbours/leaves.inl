@@ -116,17 +116,25 @@ inline bool collect_nearby(const Cloud& a, const QueryBox& box, float bound, Nea
   return size <= kNearCapacity - 8;
 }
 
-// Computes the squared distances of the nearby points to a query. Returns how many are within the bound.
-inline std::uint32_t measure(const Nearby& near, float x, float y, float z, float bound, float* d2) {
+// The nearby points within a bound of one query, in index order, with their squared distances. Those behind the last
+// are infinitely far away.
+struct Within {
+  float d2[kNearCapacity + 16];
+  std::uint32_t index[kNearCapacity + 16];
+  std::uint32_t size;
+};
+
+inline void measure(const Nearby& near, float x, float y, float z, float bound, Within& out) {
   const Wide qx = splat_wide(x), qy = splat_wide(y), qz = splat_wide(z), limit = splat_wide(bound);
-  WideCount within = zero_wide_count();
+  std::uint32_t size = 0;
   for (std::uint32_t i = 0; i < near.size; i += kWide) {
     const Wide dx = load_wide(near.x + i) - qx, dy = load_wide(near.y + i) - qy, dz = load_wide(near.z + i) - qz;
-    const Wide v = dx * dx + dy * dy + dz * dz;
-    store_wide(d2 + i, v);
-    count_le(within, v, limit);
+    const Wide d2 = dx * dx + dy * dy + dz * dz;
+    append_values_le(out.d2 + size, d2, limit);
+    size += append_le(out.index + size, near.index + i, d2, limit);
   }
-  return total(within);
+  out.size = size;
+  for (std::uint32_t i = size; i < size + kWide; ++i) out.d2[i] = 3e38f;
 }
 
 }  // namespace

@@ -159,13 +159,22 @@ inline Wide min_wide(Wide a, Wide b) {
 inline WideCount zero_wide_count() {
   return zero_count();
 }
-// Appends from[i] of the lanes where value[i] is at most the limit. kWide elements are overwritten. Returns how many
+// Appends from[i] of the lanes where the value is at most the limit. kWide elements are overwritten. Returns how many
 // were appended.
-inline std::uint32_t append_le(std::uint32_t* to, const std::uint32_t* from, const float* value, Wide limit) {
-  const Pick8 pick = pick8(mask_le(load8(value), limit));
+inline std::uint32_t append_le(std::uint32_t* to, const std::uint32_t* from, Wide value, Wide limit) {
+  const Pick8 pick = pick8(mask_le(value, limit));
   const __m256i v = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(v, pick.lanes));
   return pick.count;
+}
+
+// Does the same for the values.
+inline void append_values_le(float* to, Wide value, Wide limit) {
+  put(to, pick8(mask_le(value, limit)), value);
+}
+// The count of each lane.
+inline Wide counts(WideCount c) {
+  return {_mm256_cvtepi32_ps(c.v)};
 }
 
 // Sums of integers, each of which a float represents exactly.

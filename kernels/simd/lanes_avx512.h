@@ -135,12 +135,18 @@ inline Wide where_le(Wide v, Wide limit) {
 inline float greatest(Wide a) {
   return _mm512_reduce_max_ps(a.v);
 }
-// Appends from[i] of the lanes where value[i] is at most the limit. kWide elements are overwritten. Returns how many
+// Appends from[i] of the lanes where the value is at most the limit. kWide elements are overwritten. Returns how many
 // were appended.
-inline std::uint32_t append_le(std::uint32_t* to, const std::uint32_t* from, const float* value, Wide limit) {
-  const __mmask16 mask = _mm512_cmp_ps_mask(_mm512_loadu_ps(value), limit.v, _CMP_LE_OQ);
+inline std::uint32_t append_le(std::uint32_t* to, const std::uint32_t* from, Wide value, Wide limit) {
+  const __mmask16 mask = _mm512_cmp_ps_mask(value.v, limit.v, _CMP_LE_OQ);
   _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(mask, _mm512_loadu_si512(from)));
   return static_cast<std::uint32_t>(__builtin_popcount(mask));
+}
+
+// Does the same for the values.
+inline void append_values_le(float* to, Wide value, Wide limit) {
+  const __mmask16 mask = _mm512_cmp_ps_mask(value.v, limit.v, _CMP_LE_OQ);
+  _mm512_storeu_ps(to, _mm512_maskz_compress_ps(mask, value.v));
 }
 
 struct WideCount {
@@ -170,6 +176,10 @@ inline void count_below_two_and_le(WideCount& c, Wide a, Wide e, Wide f) {
 }
 inline std::uint32_t total(WideCount c) {
   return static_cast<std::uint32_t>(_mm512_reduce_add_epi32(c.v));
+}
+// The count of each lane.
+inline Wide counts(WideCount c) {
+  return {_mm512_cvtepi32_ps(c.v)};
 }
 
 // Sums of integers, each of which a float represents exactly.

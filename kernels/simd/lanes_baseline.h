@@ -107,6 +107,10 @@ inline void count_below_two_and_le(Count8& c, F8 a, F8 e, F8 f) {
   c.lo = _mm_sub_epi32(c.lo, _mm_and_si128(below_two(a.lo), _mm_castps_si128(_mm_cmple_ps(e.lo, f.lo))));
   c.hi = _mm_sub_epi32(c.hi, _mm_and_si128(below_two(a.hi), _mm_castps_si128(_mm_cmple_ps(e.hi, f.hi))));
 }
+// The count of each lane.
+inline F8 counts(Count8 c) {
+  return {_mm_cvtepi32_ps(c.lo), _mm_cvtepi32_ps(c.hi)};
+}
 inline std::uint32_t total(Count8 c) {
   alignas(16) std::uint32_t v[4];
   _mm_store_si128(reinterpret_cast<__m128i*>(v), _mm_add_epi32(c.lo, c.hi));
@@ -178,29 +182,37 @@ inline F8 where_le(F8 v, F8 limit) {
   return v;
 }
 struct Count8 {
-  std::uint32_t n;
+  std::uint32_t n[8];
 };
 inline Count8 zero_count() {
-  return {0};
+  return {};
 }
 inline void count_le(Count8& c, F8 a, F8 b) {
-  for (int i = 0; i < 8; ++i) c.n += a.v[i] <= b.v[i];
+  for (int i = 0; i < 8; ++i) c.n[i] += a.v[i] <= b.v[i];
 }
 inline void count_both_le(Count8& c, F8 a, F8 b, F8 e, F8 f) {
-  for (int i = 0; i < 8; ++i) c.n += (a.v[i] <= b.v[i]) & (e.v[i] <= f.v[i]);
+  for (int i = 0; i < 8; ++i) c.n[i] += (a.v[i] <= b.v[i]) & (e.v[i] <= f.v[i]);
 }
 inline bool below_two(float v) {
   return v > -2 && v < 2;
 }
 inline void count_below_two(Count8& c, F8 a) {
-  for (int i = 0; i < 8; ++i) c.n += below_two(a.v[i]);
+  for (int i = 0; i < 8; ++i) c.n[i] += below_two(a.v[i]);
 }
 // Counts the lanes where a is between -2 and 2, and e at most f.
 inline void count_below_two_and_le(Count8& c, F8 a, F8 e, F8 f) {
-  for (int i = 0; i < 8; ++i) c.n += below_two(a.v[i]) & (e.v[i] <= f.v[i]);
+  for (int i = 0; i < 8; ++i) c.n[i] += below_two(a.v[i]) & (e.v[i] <= f.v[i]);
+}
+// The count of each lane.
+inline F8 counts(Count8 c) {
+  F8 r;
+  for (int i = 0; i < 8; ++i) r.v[i] = static_cast<float>(c.n[i]);
+  return r;
 }
 inline std::uint32_t total(Count8 c) {
-  return c.n;
+  std::uint32_t sum = 0;
+  for (const std::uint32_t n : c.n) sum += n;
+  return sum;
 }
 
 }  // namespace ilot::simd::baseline
@@ -292,16 +304,21 @@ inline Wide min_wide(Wide a, Wide b) {
 inline WideCount zero_wide_count() {
   return zero_count();
 }
-// Appends from[i] of the lanes where value[i] is at most the limit. kWide elements are overwritten. Returns how many
+// Appends from[i] of the lanes where the value is at most the limit. kWide elements are overwritten. Returns how many
 // were appended.
-inline std::uint32_t append_le(std::uint32_t* to, const std::uint32_t* from, const float* value, Wide limit) {
-  const std::uint32_t mask = mask_le(load8(value), limit);
+inline std::uint32_t append_le(std::uint32_t* to, const std::uint32_t* from, Wide value, Wide limit) {
+  const std::uint32_t mask = mask_le(value, limit);
   std::uint32_t n = 0;
   for (int lane = 0; lane < 8; ++lane) {
     to[n] = from[lane];
     n += mask >> lane & 1;
   }
   return n;
+}
+
+// Does the same for the values.
+inline void append_values_le(float* to, Wide value, Wide limit) {
+  put(to, pick8(mask_le(value, limit)), value);
 }
 
 // Sums of integers, each of which a float represents exactly.
