@@ -109,24 +109,28 @@ class KerbFinder {
   }
 
   // The mean points of the pixels within the radius of a place (metres from the corner of the window), relative to it.
-  // Returns the height from which theirs are counted.
-  double collect(const Window& window, double x, double y, std::vector<GroundPoint>& out) const {
-    out.clear();
+  // `room` is memory for them. Their heights are counted from that of the first one, which `base` gets.
+  std::span<const GroundPoint> collect(const Window& window, double x, double y, std::vector<GroundPoint>& room,
+                                       double& base) const {
     const double pixel = raster_.scale.pixel;
     const auto column = static_cast<std::int64_t>(x / pixel), row = static_cast<std::int64_t>(y / pixel);
     const auto r = std::int64_t{reach_}, last = std::int64_t{window.side} - 1;
     const std::int64_t from = std::max<std::int64_t>(0, column - r), to = std::min(last, column + r);
+    std::size_t count = 0;
     for (std::int64_t v = std::max<std::int64_t>(0, row - r); v <= std::min(last, row + r); ++v) {
       const std::uint32_t* const of_row = window.first.data() + v * window.side;
-      for (std::uint32_t i = of_row[from]; i < of_row[to + 1]; ++i) {
+      const std::uint32_t first = of_row[from], end = of_row[to + 1];
+      if (room.size() < count + (end - first)) room.resize(2 * (count + (end - first)));
+      for (std::uint32_t i = first; i < end; ++i) {  // without branches, which would be mispredicted
         const GroundPoint& mean = window.mean[i];
         const GroundPoint at{mean.x - x, mean.y - y, mean.z};
-        if (at.x * at.x + at.y * at.y <= fit_.radius * fit_.radius) out.push_back(at);
+        room[count] = at;
+        count += at.x * at.x + at.y * at.y <= fit_.radius * fit_.radius;
       }
     }
-    const double base = out.empty() ? 0 : out.front().z;  // small numbers lose no digits in sums of squares
-    for (GroundPoint& p : out) p.z -= base;
-    return base;
+    base = count == 0 ? 0 : room.front().z;  // small numbers lose no digits in sums of squares
+    for (std::size_t i = 0; i < count; ++i) room[i].z -= base;
+    return std::span(room).first(count);
   }
 
   void find_places(std::size_t tile) {
@@ -134,14 +138,14 @@ class KerbFinder {
     if (window.mean.empty()) return;
     const double pixel = raster_.scale.pixel, cell = factor_ * pixel, halo = halo_ * pixel;
     const TileFrame frame = tile_frame(raster_.grid, tile);
-    std::vector<GroundPoint> points;
+    std::vector<GroundPoint> room;
     for (std::uint32_t row = 0; row < raster_.grid.side / factor_; ++row)
       for (std::uint32_t column = 0; column < raster_.grid.side / factor_; ++column) {
         double x = halo + (column + 0.5) * cell, y = halo + (row + 0.5) * cell;
         std::optional<StepFit> fit;
         for (int round = 0; round < 2; ++round) {  // the second window has the edge in its middle
-          const double base = collect(window, x, y, points);
-          fit = fit_step(points, fit_);
+          double base = 0;
+          fit = fit_step(collect(window, x, y, room, base), fit_);
           if (!fit || std::hypot(fit->x, fit->y) > cell) break;
           x += fit->x, y += fit->y;
           fit->z += base;

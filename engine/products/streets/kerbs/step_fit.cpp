@@ -143,7 +143,9 @@ class StepFinder {
     bool better = false;
     const auto all = static_cast<double>(points_.size());
     for (int b = kBins - 1; b > 0; --b) {
-      up.add(bins[static_cast<std::size_t>(b)]);
+      const Side& bin = bins[static_cast<std::size_t>(b)];
+      if (bin.n == 0) continue;  // the same sides as at the edge before
+      up.add(bin);
       if (up.n < kLeastOfSide || all - up.n < kLeastOfSide) continue;
       const double g = gain(inverse, up);
       if (g <= best.gain * (1 + 1e-9)) continue;
