@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Places of rows that the index decodes stay in memory, in the cache of columns, until clouds are written again with
-// labels: these need them once more, and to decode them takes longer than all of the rest of the writing.
+// labels: these need them once more, and to decode them again took half of the time of the writing.
 #pragma once
 #include <cstdint>
 #include <filesystem>
