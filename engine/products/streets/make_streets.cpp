@@ -196,7 +196,7 @@ std::vector<CandidateClass> classes_without_trunks(const FoundStreet& street, st
     if (group_of(classes[i].label) == PointLabel::car || !is_street_object(classes[i].label)) continue;
     const Structure above = carried(street, street.candidates[i]);
     if (above == Structure::crown) classes[i].label = PointLabel::vegetation;
-    if (above == Structure::overhang) classes[i].label = PointLabel::none;
+    if (is_overhang(above)) classes[i].label = PointLabel::none;
   }
   return classes;
 }

@@ -16,6 +16,12 @@ constexpr std::uint64_t kBytesOfPixel = 16;  // of a cached tile: its layers, th
 constexpr double kFallOfRoof = 2.45;  // pixels
 constexpr std::uint32_t kFacade = 0xffffffffu, kRoof = kFacade - 1;
 
+// The label of what was taken out above a cell.
+PointLabel label_above(Structure of_cell) {
+  if (of_cell == Structure::crown) return PointLabel::vegetation;
+  return of_cell == Structure::eaves ? PointLabel::roof : PointLabel::facade;
+}
+
 class Verdict {
  public:
   Verdict(const StreetTiles& tiles, const ObjectLabels& candidates, double least_height)
@@ -37,14 +43,13 @@ class Verdict {
     if (above < least_) return {0, PointLabel::ground};
     const auto candidate = static_cast<std::uint32_t>(tile.candidates.values[pixel]);
     const auto structure = static_cast<Structure>(tile.structure.values[tiles_.cells().cell_of(pixel, side_)]);
-    if (is_taken_out(structure, above, clearance_))
-      return {0, structure == Structure::crown ? PointLabel::vegetation : PointLabel::facade};
+    if (is_taken_out(structure, above, clearance_)) return {0, label_above(structure)};
     // What is farther below the highest point of a pixel than a roof falls is the wall below it.
     const bool on_top = above >= clearance_ && height_of(p.z) >= tile.range.values[pixel] - fall_;
     if (candidate == kRoof) return {0, on_top ? PointLabel::roof : PointLabel::facade};
     if (candidate == kFacade) return {0, PointLabel::facade};
     const PointLabel label = candidates_.label[candidate];
-    if (structure == Structure::overhang && label == PointLabel::none) return {0, PointLabel::facade};
+    if (is_overhang(structure) && label == PointLabel::none) return {0, PointLabel::facade};
     if (above * tiles_.raster().scale.unit > candidates_.top[candidate]) return {0, PointLabel::vegetation};
     return {candidates_.object[candidate], label};
   }

@@ -22,11 +22,17 @@ enum class StandingForm : std::uint8_t {
 };
 
 // What stands in a cell that has a wall or a roof, or a crown or a part of a building above.
-enum class Structure : std::uint8_t { none = 0, wall = 1, roof = 2, crown = 3, overhang = 4 };
+// `eaves` are an overhang of a roof.
+enum class Structure : std::uint8_t { none = 0, wall = 1, roof = 2, crown = 3, overhang = 4, eaves = 5 };
+
+// Whether a part of a building is above, and what is below it is free.
+constexpr bool is_overhang(Structure s) {
+  return s == Structure::overhang || s == Structure::eaves;
+}
 
 // Whether only what is high above the ground belongs to the structure: below it is free, and objects stand there.
 constexpr bool is_overhead(Structure s) {
-  return s == Structure::crown || s == Structure::overhang;
+  return s == Structure::crown || is_overhang(s);
 }
 
 // Sums over the points of a cell, in whole units from the cell's corner and the terrain, so that order does not matter.

@@ -24,6 +24,10 @@ constexpr std::uint32_t kSolidCells = 8;  // of nine; so many of volumes are no 
 constexpr std::uint32_t kRoofCells =
     6;  // of nine; so many on planes are a roof and no branches that are flat by chance
 
+// Derived: the last of the bins of half a metre below kClearance (street_tiles.h), 2 to 2.5 m: above cars and people,
+// below what is cut off above them.
+constexpr HeightBins kBelowClearance = 1u << 4;
+
 // The number of cells of each form around each cell, over a box of 2 reach + 1, by sums over rows and then columns.
 using Votes = std::array<std::vector<std::uint16_t>, 5>;
 
@@ -83,7 +87,7 @@ void give_edges_to_roofs(Image& shape, const Image& top, Height least) {
 }
 
 bool is_of_building(Structure s) {
-  return s == Structure::wall || s == Structure::roof || s == Structure::overhang;
+  return s == Structure::wall || s == Structure::roof || is_overhang(s);
 }
 
 struct Building {
@@ -109,6 +113,10 @@ bool any_near(const CellMeasures& around, CellMeasure measure, Height least, std
     for (std::uint32_t u = x - reach; u <= x + reach; ++u)
       if (const Height n = image.values[std::size_t{v} * image.width + u]; n != kNoHeight && n >= least) return true;
   return false;
+}
+
+HeightBins bins_of(const CellMeasures& around, std::uint32_t cell) {
+  return static_cast<HeightBins>(around[static_cast<std::size_t>(CellMeasure::bins)].values[cell]);
 }
 
 class StructureFinder {
@@ -166,6 +174,7 @@ class StructureFinder {
       if (structure == Structure::wall && top.values[i] < wall_ &&
           any_near(around, CellMeasure::top, least_, rows.cells[k], kStandingReaches.back()))
         structure = Structure::none;
+      if (top.values[i] >= least_) structure = where_free_below(structure, bins_of(around, rows.cells[k]));
       out.values[i] = static_cast<Height>(structure);
     }
     return out;
@@ -254,6 +263,12 @@ class StructureFinder {
 };
 
 }  // namespace
+
+Structure where_free_below(Structure of_cell, HeightBins bins) {
+  const bool hangs = (bins & kBelowClearance) == 0 && (bins & (kBelowClearance - 1)) != 0;
+  if (!hangs || (of_cell != Structure::wall && of_cell != Structure::roof)) return of_cell;
+  return of_cell == Structure::roof ? Structure::eaves : Structure::overhang;
+}
 
 void find_structures(const Cells& cells, StreetView view, const StructureParams& params) {
   StructureFinder(cells, view, params).find();

@@ -21,6 +21,12 @@ struct StructureParams {
   double length_of_learnt_house = 9;  // metres
 };
 
+// What a cell of a building is where it has points above 2.5 m and these bins. Where nothing is between 2 and 2.5 m,
+// and something below, as the street, a bench or a pedestrian, the building hangs over: a sill, a balcony, a storey
+// that stands out, eaves. A wall and what is fixed to one have points there. A wall becomes an overhang and a roof
+// eaves.
+Structure where_free_below(Structure of_cell, HeightBins bins);
+
 // Finds buildings and crowns before objects are sought. Reads the layers "shape" (StandingForm) and "top" (units above
 // the terrain) of cells, from the street also the other measures of cells (standing_features.h). Writes "structure"
 // (Structure).
@@ -28,7 +34,7 @@ struct StructureParams {
 //    roof, a crown or an object (structure_model.h). Cells lower than least_wall are walls only where nothing nearby
 //    reaches least_height, as in a cloud that is cut. A cell of a facade is a wall where it has upright pixels or is
 //    low, or where no pixel nearby is upright (a sparse cloud), and else an overhang: what is high near a wall, as a
-//    balcony or an awning. Below it is the street.
+//    balcony or an awning. Below it is the street. So it is where a wall or a roof is free below (where_free_below).
 //  - From the air a wall is what is upright, a roof is where cells on planes outnumber those of volumes around a cell,
 //    and a crown is where cells of volumes outnumber those on planes.
 //  - Walls and roofs that are connected are a building. What is smaller than a house, as a lorry, a kiosk or a shed, is

@@ -33,7 +33,8 @@ Image structures_beside(const Cells& cells, std::size_t tile) {
       for (std::int64_t v = y - reach; v <= y + reach; ++v)
         least = std::min(least, along[static_cast<std::size_t>(v * w + x)] + (v - y) * (v - y));
       const Height own = around.values[static_cast<std::size_t>(y * w + x)];
-      const auto structure = own == kNoHeight ? Structure::none : static_cast<Structure>(own);
+      auto structure = own == kNoHeight ? Structure::none : static_cast<Structure>(own);
+      if (is_overhang(structure)) structure = Structure::overhang;
       const double metres = std::min(kBesideReach, side * std::sqrt(static_cast<double>(least)));
       out.values[static_cast<std::size_t>((y - reach) * cells.side() + x - reach)] =
           StructuresBeside(structure, metres).value();

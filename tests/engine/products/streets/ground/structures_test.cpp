@@ -120,6 +120,24 @@ TEST(Structures, WallsCrownsAndTheRestFromTheStreet) {
   EXPECT_EQ(at(found, 30, 16), Structure::none) << "nothing stands there";
 }
 
+// A bench below a balcony: nothing is between 2 and 2.5 m.
+TEST(Structures, ABuildingThatIsFreeBelowHangsOver) {
+  constexpr HeightBins high = 0x1e0, bench = 0x3;
+  EXPECT_EQ(where_free_below(Structure::wall, high | bench), Structure::overhang);
+  EXPECT_EQ(where_free_below(Structure::roof, high | bench), Structure::eaves);
+  EXPECT_EQ(where_free_below(Structure::roof, high), Structure::roof) << "nothing is seen below";
+  EXPECT_EQ(where_free_below(Structure::wall, high | bench | 0x10), Structure::wall);
+  EXPECT_EQ(where_free_below(Structure::crown, high | bench), Structure::crown);
+  EXPECT_TRUE(is_overhead(Structure::eaves));
+
+  StreetScene scene = busy_scene();
+  for (std::size_t x = 25; x < 30; ++x) scene.set(8 * kCellsWide + x, CellMeasure::bins, high | bench);
+  const Image found = scene.structure(60);
+  EXPECT_EQ(at(found, 27, 8), Structure::overhang);
+  EXPECT_EQ(at(found, 35, 8), Structure::wall);
+  EXPECT_EQ(scene.structure(20).values, found.values) << "in tiles";
+}
+
 // A cloud that is cut at 4 m: what is left of a facade between gaps is longer than a van.
 TEST(Structures, AWallThatIsCutLowIsAHouseFromTheStreet) {
   const auto walls_of = [](std::uint32_t cells) {
