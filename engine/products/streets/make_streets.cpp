@@ -19,6 +19,7 @@
 #include "engine/products/streets/ground/structures.h"
 #include "engine/products/streets/ground/tiled_artefacts.h"
 #include "engine/products/streets/ground/tiled_ground.h"
+#include "engine/products/streets/objects/long_objects.h"
 #include "engine/products/streets/objects/object_selection.h"
 #include "engine/products/streets/objects/vehicle_sizes.h"
 #include "engine/products/streets/pavements/carriageways.h"
@@ -43,8 +44,6 @@ constexpr double kStepsOfGap = 5;          // pixels; least limit for the width 
 constexpr std::uint64_t kLeastPoints = 3;  // least number of points of an object [Hernandez and Marcotegui 2008, 5.3]
 // Choice: a person is lower; a trunk without points in the last 25 cm below its crown is taken for an object.
 constexpr double kTrunkShare = 0.9;  // of the height from which crowns are taken out
-// Choice: longer than a tram's car; what is longer is a wall, a fence or a hedge.
-constexpr double kLongestObject = 20;  // metres
 // Derived: a square of two pixels, the smallest that is no line. From the street a pole is one pixel, with a point in
 // many of its bins.
 constexpr double kPixelsFromAir = 4;  // least number of pixels of a candidate
@@ -291,6 +290,10 @@ SelectedObjects selected_objects(const StreetClasses& model, std::span<const Edi
       street.candidates,
       {street.tiles->raster().scale.pixel, model.base->classes.size(), street.view == StreetView::street},
       selected.classes);
+  if (street.view == StreetView::street) {
+    deny_rough_vehicles(street.candidates, model.base->classes.size(), selected.classes);
+    if (!model.trained) name_long_strips(street.candidates, street.tiles->raster().scale.pixel, selected.classes);
+  }
   selected.taken = select_objects(street.candidates, selected.classes);
   selected.by_hand.assign(street.candidates.size(), 0);
   std::vector<const Edit*> edits = edits_of(all, "streets");
@@ -345,7 +348,8 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
     const ObjectCandidate& candidate = street.candidates[i];
     if (taken[i] == 0 || !is_street_object(classes[i].label)) continue;
     const bool by_hand = selected.by_hand[i] != 0;
-    if (!by_hand && (candidate.points < kLeastPoints || candidate.length > kLongestObject)) continue;
+    const bool fence = classes[i].label == PointLabel::fence && street.view == StreetView::street;
+    if (!by_hand && (candidate.points < kLeastPoints || (candidate.length > kLongestObject && !fence))) continue;
     StreetObject object = object_of(street, blocks, candidate, classes[i], model.own());
     object.by_hand = by_hand;
     if (context.wanted && !context.wanted({std::llround(object.base.x / unit), std::llround(object.base.y / unit), 0}))

@@ -184,6 +184,8 @@ struct MostProbable {
   PointLabel label = PointLabel::none;
   double share = 0;
   bool is_similar = true;
+  PointLabel next = PointLabel::other;  // the most probable of another group
+  double next_share = 0;
 };
 MostProbable most_probable(const ObjectModel& model, const ClassShares& shares, bool object) {
   MostProbable best{object ? PointLabel::other : PointLabel::none};
@@ -194,7 +196,11 @@ MostProbable most_probable(const ObjectModel& model, const ClassShares& shares, 
     if (shares.share[c] > best.share)
       best = {model.classes[c], shares.share[c], shares.nearest[c] >= model.min_similarity[c]};
   }
-  if (all > 0) best.share /= all;
+  for (std::size_t c = 0; object && c < shares.share.size(); ++c)
+    if (is_street_object(model.classes[c]) && group_of(model.classes[c]) != group_of(best.label) &&
+        shares.share[c] > best.next_share)
+      best.next = model.classes[c], best.next_share = shares.share[c];
+  if (all > 0) best.share /= all, best.next_share /= all;
   return best;
 }
 
@@ -232,12 +238,16 @@ bool is_object(const CandidateClass& role, const KindShares& kind) {
 // Sets the class of an object, or of any candidate by a model without trees of roles.
 void set_class(const ObjectModel& model, const ClassShares& shares, const KindShares& kind, CandidateClass& of) {
   const bool object = is_object(of, kind);
-  const auto [label, share, is_similar] = most_probable(model, shares, object);
+  const auto [label, share, is_similar, next, next_share] = most_probable(model, shares, object);
   const double objects = share_of(kind, CandidateKind::object),
                rest = share_of(kind, CandidateKind::vegetation) + share_of(kind, CandidateKind::nothing);
-  of.label = label;
-  of.probability = objects + rest > 0 ? share * (object ? objects : rest) / (objects + rest) : 0;
-  if (object) of.probability = stated_probability(model.stated, of.probability);
+  const double own = objects + rest > 0 ? (object ? objects : rest) / (objects + rest) : 0;
+  of.label = label, of.next = next;
+  of.probability = share * own;
+  if (object) {
+    of.probability = stated_probability(model.stated, of.probability);
+    of.next_probability = stated_probability(model.stated, next_share * own);
+  }
   if (object && !is_similar)
     of.label = PointLabel::other, of.probability = 1 / static_cast<double>(shares.share.size());
 }

@@ -62,6 +62,9 @@ struct CandidateClass {
   double probability = 0;
   double whole = 1, part = 0, merged = 0;
   double object = 0;  // logarithm of the weight of being an object over the weight of being none
+  // Of an object: the most probable class of another group (group_of), and the probability that is stated for it.
+  PointLabel next = PointLabel::other;
+  double next_probability = 0;
 };
 
 // Classifies candidates. The probabilities of the classes are pairwise probabilities coupled by the second method of

@@ -48,5 +48,37 @@ TEST(VehicleSizes, AJoinThatIsTooLargeIsCut) {
   EXPECT_EQ(select_objects(alone, one), std::vector<std::uint8_t>{1});
 }
 
+// `level` and `step`: the shares of pixels side by side that are level, or jump.
+ObjectCandidate seen(double height, double box_fill, double level, double step) {
+  ObjectCandidate c = sized(3.5, 1.8);
+  const auto set = [&](auto which, double v) { c.features[static_cast<std::size_t>(which)] = v; };
+  set(ComponentFeature::max_height, height), set(CandidateFeature::box_fill, box_fill);
+  set(CandidateFeature::level_share, level), set(CandidateFeature::step_share, step);
+  return c;
+}
+
+TEST(VehicleSizes, ARackOfBicyclesHasGaps) {
+  EXPECT_TRUE(is_rough_vehicle(seen(1.6, 0.5, 0.4, 0.3), PointLabel::car)) << "a rack of bicycles";
+  EXPECT_TRUE(is_rough_vehicle(seen(1.6, 0.5, 0.4, 0.3), PointLabel::van));
+  EXPECT_FALSE(is_rough_vehicle(seen(1.5, 0.6, 0.7, 0.2), PointLabel::car)) << "a car";
+  EXPECT_FALSE(is_rough_vehicle(seen(1.5, 0.2, 0.2, 0.5), PointLabel::car)) << "one of which a side was seen";
+  EXPECT_FALSE(is_rough_vehicle(seen(3.2, 0.6, 0.5, 0.4), PointLabel::van)) << "higher than the scanner";
+  EXPECT_FALSE(is_rough_vehicle(seen(1.6, 0.5, 0.4, 0.3), PointLabel::planter));
+}
+
+// What has gaps is called as what comes next, where these are two-wheelers.
+TEST(VehicleSizes, WhatHasGapsIsNoVehicle) {
+  const std::vector<ObjectCandidate> candidates(2, seen(1.6, 0.5, 0.4, 0.3));
+  std::vector<CandidateClass> classes(2, {PointLabel::car, 0.9, 0.9, 0.05, 0.05, 1});
+  classes[0].next = PointLabel::two_wheeler, classes[0].next_probability = 0.1;
+  classes[1].next = PointLabel::planter, classes[1].next_probability = 0.1;
+  deny_rough_vehicles(candidates, 13, classes);
+  EXPECT_EQ(classes[0].label, PointLabel::two_wheeler);
+  EXPECT_EQ(classes[0].probability, 0.1);
+  EXPECT_EQ(classes[1].label, PointLabel::other);
+  EXPECT_NEAR(classes[1].probability, 1.0 / 13, 1e-12);
+  EXPECT_EQ(select_objects(candidates, classes), (std::vector<std::uint8_t>{1, 1})) << "they are found as before";
+}
+
 }  // namespace
 }  // namespace ilot
