@@ -241,12 +241,14 @@ void set_class(const ObjectModel& model, const ClassShares& shares, const KindSh
   const auto [label, share, is_similar, next, next_share] = most_probable(model, shares, object);
   const double objects = share_of(kind, CandidateKind::object),
                rest = share_of(kind, CandidateKind::vegetation) + share_of(kind, CandidateKind::nothing);
-  const double own = objects + rest > 0 ? (object ? objects : rest) / (objects + rest) : 0;
+  const auto probability = [&](double of_class) {
+    return objects + rest > 0 ? of_class * (object ? objects : rest) / (objects + rest) : 0;
+  };
   of.label = label, of.next = next;
-  of.probability = share * own;
+  of.probability = probability(share);
   if (object) {
     of.probability = stated_probability(model.stated, of.probability);
-    of.next_probability = stated_probability(model.stated, next_share * own);
+    of.next_probability = stated_probability(model.stated, probability(next_share));
   }
   if (object && !is_similar)
     of.label = PointLabel::other, of.probability = 1 / static_cast<double>(shares.share.size());

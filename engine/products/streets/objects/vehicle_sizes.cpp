@@ -18,8 +18,10 @@ constexpr double kLongestCar = 6;  // metres
 constexpr double kHighestSeen = 2.2;  // metres
 // Choice: less is seen where only a side or an end was.
 constexpr double kLeastSeen = 1.0 / 3;  // of the box around it
-// Choice: 14 cars of development streets that are so low and were seen have 2.7 and more, racks of bicycles 1 to 1.6.
-constexpr double kLevelsOfStep = 2;  // level steps between pixels for each jump of two pixels and more
+// Choice: bicycles in a rack are 30 to 50 cm apart; coarser pixels neither show their gaps nor the form of a car.
+constexpr double kCoarsestOfGaps = 0.07;  // metres, side of a pixel
+// Choice: cars of development streets that were seen so have 4.9 and more, racks of bicycles 1 to 2.
+constexpr double kLevelsOfStep = 3;  // level steps between pixels for each jump of two pixels and more
 
 double feature(const ObjectCandidate& candidate, CandidateFeature which) {
   return candidate.features[static_cast<std::size_t>(which)];
@@ -50,6 +52,7 @@ void deny_too_large_vehicles(std::span<const ObjectCandidate> candidates, const 
 
 bool is_rough_vehicle(const ObjectCandidate& candidate, PointLabel label) {
   if (label != PointLabel::car && label != PointLabel::van) return false;
+  if (feature(candidate, CandidateFeature::pixel_size) > kCoarsestOfGaps) return false;
   const double level = feature(candidate, CandidateFeature::level_share),
                step = feature(candidate, CandidateFeature::step_share);
   return candidate.features[static_cast<std::size_t>(ComponentFeature::max_height)] <= kHighestSeen &&

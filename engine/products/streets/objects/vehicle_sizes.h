@@ -26,9 +26,9 @@ void deny_too_large_vehicles(std::span<const ObjectCandidate> candidates, const 
                              std::vector<CandidateClass>& classes);
 
 // Whether a candidate of the height of a car has gaps where a vehicle is closed: seen from above, its top jumps between
-// pixels side by side nearly as often as it is level. The roof, the bonnet and the windows of a car are surfaces, and
-// it jumps at their outlines only. Where little of the box around it was seen, this is not known. False for all other
-// classes.
+// pixels side by side often, compared with how often it is level. The roof, the bonnet and the windows of a car are
+// surfaces, and it jumps at their outlines only. Where little of the box around it was seen, this is not known. False
+// for all other classes.
 bool is_rough_vehicle(const ObjectCandidate& candidate, PointLabel label);
 
 // Takes the class from vehicles that have gaps, as racks of bicycles have: they become two-wheelers where these are the

@@ -53,6 +53,7 @@ ObjectCandidate seen(double height, double box_fill, double level, double step) 
   ObjectCandidate c = sized(3.5, 1.8);
   const auto set = [&](auto which, double v) { c.features[static_cast<std::size_t>(which)] = v; };
   set(ComponentFeature::max_height, height), set(CandidateFeature::box_fill, box_fill);
+  set(CandidateFeature::pixel_size, kPixel);
   set(CandidateFeature::level_share, level), set(CandidateFeature::step_share, step);
   return c;
 }
@@ -60,10 +61,13 @@ ObjectCandidate seen(double height, double box_fill, double level, double step) 
 TEST(VehicleSizes, ARackOfBicyclesHasGaps) {
   EXPECT_TRUE(is_rough_vehicle(seen(1.6, 0.5, 0.4, 0.3), PointLabel::car)) << "a rack of bicycles";
   EXPECT_TRUE(is_rough_vehicle(seen(1.6, 0.5, 0.4, 0.3), PointLabel::van));
-  EXPECT_FALSE(is_rough_vehicle(seen(1.5, 0.6, 0.7, 0.2), PointLabel::car)) << "a car";
+  EXPECT_FALSE(is_rough_vehicle(seen(1.5, 0.6, 0.7, 0.14), PointLabel::car)) << "a car";
   EXPECT_FALSE(is_rough_vehicle(seen(1.5, 0.2, 0.2, 0.5), PointLabel::car)) << "one of which a side was seen";
   EXPECT_FALSE(is_rough_vehicle(seen(3.2, 0.6, 0.5, 0.4), PointLabel::van)) << "higher than the scanner";
   EXPECT_FALSE(is_rough_vehicle(seen(1.6, 0.5, 0.4, 0.3), PointLabel::planter));
+  ObjectCandidate sparse = seen(1.6, 0.5, 0.4, 0.3);
+  sparse.features[static_cast<std::size_t>(CandidateFeature::pixel_size)] = 0.1;
+  EXPECT_FALSE(is_rough_vehicle(sparse, PointLabel::car)) << "pixels are too coarse for gaps";
 }
 
 // What has gaps is called as what comes next, where these are two-wheelers.
