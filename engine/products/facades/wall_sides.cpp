@@ -105,7 +105,7 @@ std::vector<double> segment_side_odds(std::span<const WallGroup> walls, std::spa
   std::vector<double> by_segment(segments.size() + 1, 0);
   for (std::size_t i = 0; i < walls.size(); ++i)
     for (const std::uint32_t id : walls[i].segments)
-      by_segment[id] = dot(segments[id - 1].plane.n, walls[i].axes.out) > 0 ? odds[i] : -odds[i];
+      by_segment[id] += dot(segments[id - 1].plane.n, walls[i].axes.out) > 0 ? odds[i] : -odds[i];
   return by_segment;
 }
 

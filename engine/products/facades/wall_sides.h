@@ -21,7 +21,8 @@ std::vector<double> wall_side_odds(const FacadeWork& work, std::span<const WallG
 double storey_odds(std::span<const WallGroup> walls, std::span<const double> own, std::size_t i,
                    double metres_per_unit);
 
-// The same by segment: log odds for the side of the plane's normal; 0 for segments that are no part of a wall.
+// The same by segment: log odds for the side of the plane's normal; 0 for segments that are no part of a wall. A plane
+// that was cut into the walls of several houses has the sum of theirs, since they face one street.
 std::vector<double> segment_side_odds(std::span<const WallGroup> walls, std::span<const double> odds,
                                       std::span<const Segment> segments);
 

@@ -42,5 +42,16 @@ TEST(WallSides, WallsFarOffBesideOrUnsureDecideNothing) {
   EXPECT_EQ(odds(wall_at(0, 1, 2, 10, 6), unsure), -2);
 }
 
+TEST(WallSides, HousesOfOnePlaneFaceOneStreet) {
+  std::array walls{wall_at(0, 0, 0, 10, 6), wall_at(10, 0.1, 0, 10, 6)};
+  walls[0].segments = {1}, walls[1].segments = {1};
+  std::array<Segment, 1> plane;
+  plane[0].plane.n = {0, -1, 0};
+  EXPECT_NEAR(segment_side_odds(walls, std::array<double, 2>{5, -3}, plane)[1], 2, 1e-12);
+  EXPECT_NEAR(segment_side_odds(walls, std::array<double, 2>{-3, 5}, plane)[1], 2, 1e-12);
+  turn_wall(walls[1], 1);
+  EXPECT_NEAR(segment_side_odds(walls, std::array<double, 2>{5, 3}, plane)[1], 2, 1e-12);
+}
+
 }  // namespace
 }  // namespace ilot
