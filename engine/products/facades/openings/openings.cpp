@@ -344,12 +344,29 @@ std::optional<FoundRectangle> opening_in(const RaySamples& samples, const WallCe
   return opening;
 }
 
+namespace {
+
+// The pane that an open hole may be.
+std::optional<FoundRectangle> pane_in_hole(const RaySamples& samples, const WallCells& seen, const WallHole& hole,
+                                           double through, const OpeningParams& params) {
+  WallCells cells = seen;
+  std::vector<bool> silent(cells.what.size(), false);
+  for (const std::uint32_t i : hole.region.cells) {
+    silent[i] = cells.what[i] == kUnknown;
+    cells.what[i] = kThrough;
+  }
+  return opening_in(samples, cells, hole.region, silent, through, params);
+}
+
+}  // namespace
+
 std::vector<FoundRectangle> find_openings(const RaySamples& samples, const OpeningParams& params, OpeningSteps* steps,
                                           std::vector<UnseenArea>* unseen) {
   const double through = depth_through(samples.site(), params);
   WallCells seen = cells_of(samples, {through, farthest_in_room(samples, params)});
   if (steps != nullptr) steps->seen = seen;
-  const std::vector<WallHole> holes = find_holes(samples, seen, params.least_size);
+  std::vector<WallHole> open;
+  const std::vector<WallHole> holes = find_holes(samples, seen, params.least_size, &open);
   std::vector<bool> silent(seen.what.size(), false);
   for (const WallHole& hole : holes)
     if (hole.crossed && hole.straight)
@@ -370,7 +387,11 @@ std::vector<FoundRectangle> find_openings(const RaySamples& samples, const Openi
             found.push_back(*opening);
       });
   add_shallow_openings(find_shallow_openings(samples, seen, params), found);
-  join_panes(cells.cell, found);
+  const std::size_t proven = found.size();
+  for (const WallHole& hole : open)
+    if (const std::optional<FoundRectangle> pane = pane_in_hole(samples, seen, hole, through, params))
+      found.push_back(*pane);
+  join_panes(cells.cell, proven, found);
   if (unseen != nullptr) *unseen = unseen_areas(holes, found, seen, silent, params.least_size);
   return found;
 }

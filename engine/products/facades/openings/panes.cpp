@@ -74,7 +74,23 @@ void join_pane(FoundRectangle& a, const FoundRectangle& b) {
   a.no_echo = a.no_echo && b.no_echo;
 }
 
-void join_pairs(std::vector<FoundRectangle>& found, bool side_by_side) {
+// The openings, and for each whether it is one without the others.
+struct Panes {
+  std::vector<FoundRectangle>& found;
+  std::vector<bool> proven;
+
+  void join(std::size_t into, std::size_t from) {
+    join_pane(found[into], found[from]);
+    proven[into] = proven[into] || proven[from];
+  }
+  void erase(std::size_t i) {
+    found.erase(found.begin() + static_cast<std::ptrdiff_t>(i));
+    proven.erase(proven.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+};
+
+void join_pairs(Panes& panes, bool side_by_side) {
+  const std::vector<FoundRectangle>& found = panes.found;
   for (bool more = true; more;) {
     more = false;
     for (std::size_t i = 0; i < found.size(); ++i)
@@ -83,8 +99,8 @@ void join_pairs(std::vector<FoundRectangle>& found, bool side_by_side) {
           ++k;
           continue;
         }
-        join_pane(found[i], found[k]);
-        found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
+        panes.join(i, k);
+        panes.erase(k);
         more = true;
       }
   }
@@ -117,7 +133,8 @@ bool fill_rectangle(const std::vector<FoundRectangle>& found, const std::vector<
   });
 }
 
-void join_grids(std::vector<FoundRectangle>& found) {
+void join_grids(Panes& panes) {
+  std::vector<FoundRectangle>& found = panes.found;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const std::vector<std::size_t> members = connected_by_bars(found, i);
     if (members.size() < 3 || members.front() < i) continue;  // two are a pair; others were looked at before
@@ -125,17 +142,22 @@ void join_grids(std::vector<FoundRectangle>& found) {
     for (const std::size_t m : members)
       if (m != i) join_pane(whole, found[m]);
     if (!fill_rectangle(found, members, whole)) continue;
+    for (const std::size_t m : members) panes.proven[i] = panes.proven[i] || panes.proven[m];
     found[i] = whole;
-    for (std::size_t m = members.size(); m-- > 1;) found.erase(found.begin() + static_cast<std::ptrdiff_t>(members[m]));
+    for (std::size_t m = members.size(); m-- > 1;) panes.erase(members[m]);
   }
 }
 
 }  // namespace
 
-void join_panes(double cell, std::vector<FoundRectangle>& found) {
+void join_panes(double cell, std::size_t proven, std::vector<FoundRectangle>& found) {
   const bool piers_show = kCellsOfBar * cell <= kWidestBar;
-  join_pairs(found, piers_show);
-  if (piers_show) join_grids(found);
+  Panes panes{found, std::vector<bool>(found.size(), false)};
+  std::fill(panes.proven.begin(), panes.proven.begin() + static_cast<std::ptrdiff_t>(proven), true);
+  join_pairs(panes, piers_show);
+  if (piers_show) join_grids(panes);
+  for (std::size_t i = found.size(); i-- > 0;)
+    if (!panes.proven[i]) panes.erase(i);
 }
 
 }  // namespace ilot

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Panes that only bars part become one window.
 #pragma once
+#include <cstddef>
 #include <vector>
 
 #include "engine/products/facades/openings/openings.h"
@@ -14,6 +15,9 @@ namespace ilot {
 // head; panes that lean stay alone. `cell` is the size of the cells in which they were found, in metres: panes beside
 // each other are not joined where a pier may look like a bar; the wall between two storeys is higher than a bar. O(n^3)
 // in the openings of a wall at worst.
-void join_panes(double cell, std::vector<FoundRectangle>& found);
+//
+// The openings from `proven` on are holes that are panes only together with one of the others; those that are not
+// joined with one are dropped.
+void join_panes(double cell, std::size_t proven, std::vector<FoundRectangle>& found);
 
 }  // namespace ilot

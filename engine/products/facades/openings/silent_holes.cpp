@@ -213,6 +213,7 @@ void set_crossed(std::span<const std::uint64_t> about, double cell, ViewedHole& 
   }
   const bool by_station = crossing > 0 && (known || crossing > 1);
   h.hole.crossed = by_station || (crossing > 0 && behind >= std::max(kFewestBehind, kLeastBehind * expected));
+  h.hole.open = crossing > 0;
   if (h.hole.crossed && !by_station) h.hole.shown = shown_part(h.hole.box, h.behind, cell);
 }
 
@@ -310,16 +311,25 @@ void look_over_bars(const RaySamples& samples, const WallCells& cells, std::vect
 
 }  // namespace
 
-std::vector<WallHole> find_holes(const RaySamples& samples, const WallCells& cells, double least_size) {
+std::vector<WallHole> find_holes(const RaySamples& samples, const WallCells& cells, double least_size,
+                                 std::vector<WallHole>* open) {
   std::vector<WallHole> holes;
-  std::vector<bool> taken(cells.what.size(), false);
+  std::vector<bool> taken(cells.what.size(), false), listed(taken);
+  const auto list = [&](const WallHole& hole) {
+    if (open == nullptr || !hole.open || !hole.straight || !hole.empty || listed[hole.region.cells.front()]) return;
+    for (const std::uint32_t i : hole.region.cells) listed[i] = true;
+    open->push_back(hole);
+  };
   // Openings first, whole; then what something before them leaves of them. What stays was not seen.
   for (const Ends ends : {Ends::at_wall, Ends::at_all_things}) {
     std::vector<ViewedHole> viewed = viewed_holes(cells, taken, least_size, ends, kLeastEmpty);
     look(samples, cells, viewed);
     look_over_bars(samples, cells, viewed);
     for (ViewedHole& h : viewed) {
-      if (!h.hole.crossed || !h.hole.straight) continue;
+      if (!h.hole.crossed || !h.hole.straight) {
+        list(h.hole);
+        continue;
+      }
       for (const std::uint32_t i : h.hole.region.cells) taken[i] = true;
       holes.push_back(std::move(h.hole));
     }

@@ -16,6 +16,7 @@ struct WallHole {
   bool straight = false;  // its sides are straight: it may be an opening
   bool empty = false;     // nothing was seen in most of it, not even something before the wall
   bool crossed = false;   // rays crossed it, and few of them came back: nothing stood before it
+  bool open = false;      // the same, but what stood before it may have been cut out of the cloud
   // The part that rays are known to have crossed, in cells, where this is not all of it.
   std::optional<CellBox> shown;
 
@@ -47,7 +48,11 @@ struct UnseenArea {
 // of two stations crossed it. Where no station is known, all rays are taken to be of one that nothing else is known of:
 // then rays that ended behind the wall must show it. Where they are spread over most of a hole and end on a line far
 // from one of its sides, the hole is one up to this line. O(points).
-std::vector<WallHole> find_holes(const RaySamples& samples, const WallCells& cells, double least_size);
+//
+// `open`, where given, gets the straight holes that would be crossed, had nothing been cut out of the cloud: each is a
+// pane if it makes one window with a pane that was found (panes.h). They are among the other holes, too.
+std::vector<WallHole> find_holes(const RaySamples& samples, const WallCells& cells, double least_size,
+                                 std::vector<WallHole>* open = nullptr);
 
 // Internal to find_holes (shown_part.cpp): the part of a hole that is known to be crossed, where only rays that ended
 // behind the wall show that it is: up to straight ends of these rays that are far from the sides of the hole. `behind`
