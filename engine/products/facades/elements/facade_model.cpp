@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "engine/products/facades/elements/depth_image.h"
 #include "engine/products/facades/elements/element_kinds.h"
@@ -15,6 +16,7 @@
 #include "engine/products/facades/leaves/inset_leaves.h"
 #include "engine/products/facades/leaves/shutters.h"
 #include "engine/products/facades/leaves/standing_leaves.h"
+#include "engine/products/facades/openings/unseen_areas.h"
 #include "engine/products/facades/rays/cell_bands.h"
 #include "engine/products/facades/rays/limited_parallel.h"
 #include "engine/products/facades/walls/side_faces.h"
@@ -67,6 +69,16 @@ void move_possible(std::vector<ElementCandidate>& candidates, std::vector<Unseen
   for (const ElementCandidate& t : candidates)
     if (t.possible && area_of(t.shape.box()) > 0) unseen.push_back(possible_area(t));
   std::erase_if(candidates, [](const ElementCandidate& t) { return t.possible; });
+}
+
+// What of the wall was drawn up to the outline, and not seen.
+void add_unseen_above(const WallCells& cells, const WallOutline& outline,
+                      const std::vector<ElementCandidate>& candidates, double least_size,
+                      std::vector<UnseenArea>& unseen) {
+  std::vector<Box2> drawn;
+  for (const ElementCandidate& t : candidates) drawn.push_back(t.shape.extent());
+  for (const UnseenArea& area : unseen) drawn.push_back(box_of(area.ring));
+  for (UnseenArea& area : unseen_above_wall(cells, outline.ring, drawn, least_size)) unseen.push_back(std::move(area));
 }
 
 // Elements are numbered in this order.
@@ -183,7 +195,7 @@ WallOutline outline_of(const RaySamples& samples, const FacadeParams& params, co
 
 std::vector<ElementCandidate> candidates_of(const RaySamples& samples, const FacadeParams& params,
                                             const SparseFindings& sparse, std::vector<UnseenArea>& unseen,
-                                            FacadeSteps* steps) {
+                                            OpeningSteps& cells, FacadeSteps* steps) {
   std::vector<FoundRectangle> openings, relief, stones, large;
   FlatPlates plates;
   std::vector<StandingLeaf> standing;
@@ -193,12 +205,13 @@ std::vector<ElementCandidate> candidates_of(const RaySamples& samples, const Fac
       [&] { stones = find_stones(samples, params.stones); },
       [&] { plates = find_flat_plates(samples); },
       [&] { standing = find_standing_leaves(samples); },
-      [&] { openings = find_openings(samples, params.openings, steps == nullptr ? nullptr : &steps->cells, &unseen); }};
+      [&] { openings = find_openings(samples, params.openings, &cells, &unseen); }};
   parallel_for_limited(params.concurrency, searches.size(), [&](std::size_t i) { searches[i](); });
   for (const FoundRectangle& r : sparse.openings)
     if (!shares_area(r.box(), openings)) openings.push_back(r);
   unseen.insert(unseen.end(), sparse.unseen.begin(), sparse.unseen.end());
   if (steps != nullptr) {
+    steps->cells = cells;
     steps->openings = openings;
     steps->relief = relief;
     steps->stones = stones;
@@ -275,7 +288,8 @@ FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, F
                         const SparseFindings& sparse) {
   const FacadeSite& site = samples.site();
   std::vector<UnseenArea> unseen;
-  std::vector<ElementCandidate> candidates = candidates_of(samples, params, sparse, unseen, steps);
+  OpeningSteps cells;
+  std::vector<ElementCandidate> candidates = candidates_of(samples, params, sparse, unseen, cells, steps);
   const std::vector<Irregularity> irregular =
       find_irregularities(samples, boxes_of_elements(candidates), params.irregular);
   drop_patches(candidates, irregular);
@@ -289,7 +303,8 @@ FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, F
   drop_openings_within(candidates);
   move_possible(candidates, unseen);
   const WallOutline outline = outline_of(samples, params, sparse);
-  drop_elements_outside(box_of(outline.ring), candidates);
+  drop_elements_outside(box_of(outline.ring), params.large.most_depth, candidates);
+  add_unseen_above(cells.seen, outline, candidates, params.openings.least_size, unseen);
   group_elements(candidates, params.regular);
   find_ends(candidates, samples, params.concurrency);
   std::sort(candidates.begin(), candidates.end(), comes_before);

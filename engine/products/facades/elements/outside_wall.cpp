@@ -13,6 +13,9 @@ constexpr double kMostInside = 0.5;  // share of the width of an element
 // Choice: the error of the end of a wall that meets a tower.
 constexpr double kBesideWall = 0.1;  // metres between the end of the wall and a part of the house beside it
 
+// Choice: the depth of what has no front is that of its farthest points, which are a step or two apart.
+constexpr double kAtDeepest = 0.1;  // metres short of the end of the search in which a body goes on beyond it
+
 bool is_opening_or_leaf(ElementKind kind) {
   return kind == ElementKind::window || kind == ElementKind::door || kind == ElementKind::shutter;
 }
@@ -68,11 +71,12 @@ void drop_needless_corners(const Facade& f, double metres, FacadeElement& e) {
 
 }  // namespace
 
-void drop_elements_outside(const Box2& wall, std::vector<ElementCandidate>& candidates) {
+void drop_elements_outside(const Box2& wall, double deepest, std::vector<ElementCandidate>& candidates) {
   std::erase_if(candidates, [&](const ElementCandidate& t) {
     if (is_opening_or_leaf(t.kind)) return false;
     const Box2 box = t.shape.box();
     const double inside = std::min(box.u1, wall.u1) - std::max(box.u0, wall.u0);
+    if (t.kind == ElementKind::protrusion && inside < kBesideWall && t.shape.depth > deepest - kAtDeepest) return true;
     const double least = may_be_wall(t.kind) ? -kBesideWall : kMostInside * box.width();
     return inside < least || (box.v1 <= wall.v0 && !may_be_wall(t.kind));
   });

@@ -46,6 +46,20 @@ std::vector<std::int64_t> tops_of(const WallCells& cells) {
   return tops;
 }
 
+// Whether a place is inside of a ring.
+bool is_within(const std::vector<Place2>& ring, Place2 p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Place2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    if ((a.v > p.v) != (b.v > p.v) && p.u < a.u + (b.u - a.u) * (p.v - a.v) / (b.v - a.v)) inside = !inside;
+  }
+  return inside;
+}
+
+std::int64_t side_of_bare_square(const WallCells& cells, double least_size) {
+  return std::max(kLeastSide, static_cast<std::int64_t>(least_size / cells.cell));
+}
+
 // Marks what is bare below the top of the wall: cells of no opening and no known area in which neither the wall nor
 // anything behind it was seen.
 void mark_bare(const WallCells& cells, const std::vector<bool>& silent, const std::vector<bool>& known,
@@ -79,8 +93,23 @@ std::vector<UnseenArea> unseen_areas(const std::vector<WallHole>& holes, const s
   for (UnseenArea& area : areas_of_cells(left, cells, side)) areas.push_back(std::move(area));
   for (std::size_t i = 0; i < known.size(); ++i) known[i] = known[i] || left[i];
   mark_bare(cells, silent, known, found, bare);
-  for (UnseenArea& area : areas_of_cells(bare, cells, std::max(side, kLeastSide))) areas.push_back(std::move(area));
+  for (UnseenArea& area : areas_of_cells(bare, cells, side_of_bare_square(cells, least_size)))
+    areas.push_back(std::move(area));
   return areas;
+}
+
+std::vector<UnseenArea> unseen_above_wall(const WallCells& cells, const std::vector<Place2>& outline,
+                                          const std::vector<Box2>& drawn, double least_size) {
+  const std::vector<std::int64_t> tops = tops_of(cells);
+  std::vector<bool> bare(cells.what.size(), false);
+  for (std::size_t i = 0; i < bare.size(); ++i) {
+    const auto c = static_cast<std::int64_t>(i) % cells.columns, r = static_cast<std::int64_t>(i) / cells.columns;
+    if ((cells.what[i] != kUnknown && cells.what[i] != kBlocked) || r <= tops[static_cast<std::size_t>(c)]) continue;
+    const Place2 middle{(static_cast<double>(c) + 0.5) * cells.cell, (static_cast<double>(r) + 0.5) * cells.cell};
+    const auto covers = [&](const Box2& box) { return box.contains(middle); };
+    bare[i] = is_within(outline, middle) && std::none_of(drawn.begin(), drawn.end(), covers);
+  }
+  return areas_of_cells(bare, cells, side_of_bare_square(cells, least_size));
 }
 
 }  // namespace ilot

@@ -15,4 +15,9 @@ namespace ilot {
 std::vector<UnseenArea> unseen_areas(const std::vector<WallHole>& holes, const std::vector<FoundRectangle>& found,
                                      const WallCells& cells, const std::vector<bool>& silent, double least_size);
 
+// The same above the highest cell of the wall in each column, as far as the outline of the wall goes: there it was
+// drawn to a height at which it was not seen. Cells in the boxes of `drawn` are left out. O(cells x (corners + boxes)).
+std::vector<UnseenArea> unseen_above_wall(const WallCells& cells, const std::vector<Place2>& outline,
+                                          const std::vector<Box2>& drawn, double least_size);
+
 }  // namespace ilot

@@ -20,9 +20,10 @@ ElementCandidate candidate_of(ElementKind kind, const Box2& box) {
   return c;
 }
 
-bool stays(ElementKind kind, const Box2& box) {
+bool stays(ElementKind kind, const Box2& box, double depth = 0.5) {
   std::vector<ElementCandidate> all{candidate_of(kind, box)};
-  drop_elements_outside(kWall, all);
+  all[0].shape.depth = depth;
+  drop_elements_outside(kWall, 2.5, all);
   return !all.empty();
 }
 
@@ -34,6 +35,13 @@ TEST(OutsideWall, ReliefOfANeighbourIsNotDrawn) {
   EXPECT_FALSE(stays(ElementKind::protrusion, {10.5, 11, 2, 8}));
   EXPECT_TRUE(stays(ElementKind::eaves, {-0.5, 10.5, 8, 8.3}));
   EXPECT_TRUE(stays(ElementKind::window, {10.1, 11, 3, 4})) << "the wall may end too early";
+}
+
+TEST(OutsideWall, AWallThatMeetsItsEndIsNoProtrusion) {
+  EXPECT_FALSE(stays(ElementKind::protrusion, {9.95, 10.3, 0, 6}, 2.48));
+  EXPECT_FALSE(stays(ElementKind::protrusion, {-0.4, 0.01, 0, 11}, 2.5));
+  EXPECT_TRUE(stays(ElementKind::protrusion, {9.9, 10.3, 0, 6}, 1.2)) << "it has a front";
+  EXPECT_TRUE(stays(ElementKind::protrusion, {8, 10.1, 0, 3}, 2.5)) << "a porch";
 }
 
 TEST(OutsideWall, AKerbIsNoReliefOfTheWall) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/products/facades/openings/openings.h"
+#include "engine/products/facades/openings/unseen_areas.h"
 #include "tests/support/facade_sites.h"
 
 namespace ilot {
@@ -242,6 +243,25 @@ TEST(SilentHoles, TheSmallerPartOfAHoleIsHatchedToo) {
   for (const UnseenArea& area : unseen)
     for (double v = 1.5; v < 2.3; v += 0.1) beside += is_in_ring(area.ring, {3.95, v});
   EXPECT_GT(beside, 5);
+}
+
+// The outline was drawn as a rectangle over a wall that was seen up to a slope.
+TEST(UnseenAreas, WhatIsAboveTheWallAndInTheOutlineIsHatched) {
+  WallCells cells;
+  cells.cell = 0.1, cells.columns = 40, cells.rows = 50;
+  cells.what.assign(2000, WallCells::kUnknown);
+  for (std::int64_t c = 0; c < 40; ++c)
+    for (std::int64_t r = 0; r < 50 - c; ++r) cells.at(c, r) = WallCells::kSolid;
+  const auto areas = [&](const std::vector<Place2>& outline, const std::vector<Box2>& drawn) {
+    return unseen_above_wall(cells, outline, drawn, 0.3);
+  };
+  const std::vector<Place2> box{{0, 0}, {4, 0}, {4, 5}, {0, 5}}, gable{{0, 0}, {4, 0}, {4, 1}, {0, 5}};
+  const std::vector<UnseenArea> above = areas(box, {});
+  ASSERT_EQ(above.size(), 1u);
+  EXPECT_TRUE(is_in_ring(above[0].ring, {3.55, 4.55}));
+  EXPECT_FALSE(is_in_ring(above[0].ring, {0.55, 3.55})) << "the wall";
+  EXPECT_TRUE(areas(gable, {}).empty());
+  EXPECT_TRUE(areas(box, {{0, 4, 0, 5}}).empty()) << "something is drawn there";
 }
 
 }  // namespace
