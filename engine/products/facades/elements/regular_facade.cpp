@@ -309,6 +309,14 @@ void place_hidden(ElementCandidate& t, const std::vector<Side>& hidden) {
   t.reason = "sides lie in the middle of a laser shadow";
 }
 
+// A bottom that nobody saw is no lower than the foot of the wall, where v is 0, or the lowest place that was seen to be
+// open: where the ground rises, doors are not all of one height.
+void end_at_foot(LocatedEdge& bottom) {
+  const double lowest = std::min(bottom.inner, 0.0);
+  if (bottom.status == DrawnStatus::seen || bottom.at >= lowest) return;
+  bottom.at = lowest;
+}
+
 }  // namespace
 
 void group_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params) {
@@ -359,6 +367,7 @@ void complete_elements(std::vector<ElementCandidate>& candidates, const RegularP
       hidden.push_back(side);
     }
     if (!hidden.empty()) place_hidden(t, hidden);
+    end_at_foot(t.shape.side(Side::bottom));
   }
 }
 

@@ -53,7 +53,7 @@ void regularise_elements(std::vector<ElementCandidate>& candidates, const Regula
 
 // Completes edges that were not seen. The bottom of an opening behind a sill is the top of the sill. Other edges come
 // from the row or the family, or stay occluded. The field `reason` says which. Completed edges stay within the gap that
-// hid them, and their error reaches to both ends of it.
+// hid them, and their error reaches to both ends of it. None is below the foot of the wall.
 //
 // Edges that stay occluded are where the opening was last seen, if at least half of what it may be at most was seen to
 // be open. Otherwise they are in the middle of their gaps. If even so half would not be sure - the opening that is

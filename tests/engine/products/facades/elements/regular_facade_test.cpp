@@ -153,6 +153,18 @@ TEST(RegularFacade, HiddenSidesTakeTheSizeOfTheirRow) {
   EXPECT_EQ(candidates[1].shape.side(Side::left).status, DrawnStatus::completed);
 }
 
+TEST(RegularFacade, NoHiddenBottomIsBelowTheFootOfTheWall) {
+  // Where the ground rises, the hidden foot of a lower door is not a whole door below its head.
+  std::vector<ElementCandidate> doors{candidate(0, 1, 0.1, 2.4, 0.01, ElementKind::door),
+                                      candidate(3, 4, 0.9, 1.8, 0.01, ElementKind::door)};
+  LocatedEdge& hidden = doors[1].shape.side(Side::bottom);
+  hidden.status = DrawnStatus::occluded, hidden.error = 3;
+  complete_elements(doors);
+  EXPECT_EQ(hidden.status, DrawnStatus::completed);
+  EXPECT_DOUBLE_EQ(hidden.at, 0);
+  EXPECT_GE(hidden.error, 0.9);
+}
+
 TEST(RegularFacade, NothingToCompleteFromStaysOccluded) {
   std::vector<ElementCandidate> candidates{candidate(0, 1.1, 3, 4.7, 0.002)};
   candidates[0].shape.side(Side::bottom).status = DrawnStatus::occluded;
