@@ -21,10 +21,12 @@ constexpr double kFree = 0.2;  // share of the place above an edge in which othe
 constexpr double kCell = 0.1;  // metres; cell of that place
 // Derived: a majority; chimneys and what stands behind take less.
 constexpr double kWallGoesOn = 0.5;  // share of the columns above an edge in which there are points of the wall
-// Choice: the thickness of a roof, whose points lie in the plane of the gable below it, or in a line above it.
-constexpr double kVergeAbove = 0.3;  // metres above an edge in which points say nothing of the wall; height of a verge
+// Choice: the thickness of a roof, whose points lie in the plane of the gable below it.
+constexpr double kVergeAbove = 0.3;  // metres above an edge in which points say nothing of the wall
 // Choice: twice the largest cell of openings; sparse parts of walls have points in each.
 constexpr double kCoarse = 0.3;  // metres; width of these columns
+// Choice: one point may be a stray one.
+constexpr int kFewestAbove = 2;  // points of the wall in such a column
 // Derived: as where walls are followed to their sparse ends (wall_growth.h).
 constexpr double kBow = 3;  // epsilons by which a wall may be off its plane
 // Choice: lower ends are gables whose eaves are at the foot; they are drawn as a triangle.
@@ -93,27 +95,24 @@ double share_filled(const RaySamples& samples, const TopEdge& edge, double relie
 }
 
 // Whether the wall goes on above an edge: its points lie above most of it. The boundary of a plane ends where points
-// become too sparse for it, and what hides the wall cuts into it. A verge that stands up above the edge is as far above
-// it everywhere, so in each column the points must be at different heights above the edge.
+// become too sparse for it, and what hides the wall cuts into it.
 bool goes_on_above(const RaySamples& samples, const TopEdge& edge) {
   const FacadeSite& site = samples.site();
   const auto height = [&](double u) { return edge.line.height(u) + kVergeAbove; };
-  const auto columns = static_cast<std::size_t>(std::ceil((edge.u1 - edge.u0) / kCoarse));
-  std::vector<double> lowest(columns, INFINITY), highest(columns, -INFINITY);
+  std::vector<int> above(static_cast<std::size_t>(std::ceil((edge.u1 - edge.u0) / kCoarse)), 0);
   for (const Ray& ray :
        samples.at_places({edge.u0, edge.u1, std::min(height(edge.u0), height(edge.u1)), site.height})) {
     const FacadePoint& p = ray.at;
     if (p.u < edge.u0 || p.u >= edge.u1 || p.v < height(p.u) || p.v > site.height) continue;
     if (!samples.on_wall(ray) && (std::abs(p.w) > kBow * site.epsilon || is_parallel(site, p.plane))) continue;
-    const auto c = static_cast<std::size_t>((p.u - edge.u0) / kCoarse);
-    lowest[c] = std::min(lowest[c], p.v - height(p.u)), highest[c] = std::max(highest[c], p.v - height(p.u));
+    ++above[static_cast<std::size_t>((p.u - edge.u0) / kCoarse)];
   }
   int room = 0, filled = 0;
-  for (std::size_t i = 0; i < columns; ++i) {
+  for (std::size_t i = 0; i < above.size(); ++i) {
     const double u = edge.u0 + (static_cast<double>(i) + 0.5) * kCoarse;
-    if (site.height - height(u) < kCoarse + kVergeAbove) continue;
+    if (site.height - height(u) < kCoarse) continue;
     ++room;
-    filled += highest[i] - lowest[i] > kVergeAbove;
+    filled += above[i] >= kFewestAbove;
   }
   return filled > kWallGoesOn * room;
 }

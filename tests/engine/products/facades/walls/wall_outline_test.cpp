@@ -139,19 +139,6 @@ TEST(WallOutline, TheWallGoesOnAboveWhereItsPlaneEnds) {
   EXPECT_TRUE(outline_of(site).edges.empty());
 }
 
-// A verge stands up half a metre above the slope of its gable, in the plane of the wall.
-TEST(WallOutline, AVergeIsNoWallAboveItsGable) {
-  FacadeSite site = wall_under(gable_top);
-  const std::size_t corners = outline_of(site).ring.size();
-  for (float u = 0; u < 6; u += 0.02F)
-    for (const float up : {0.5F, 0.6F, 0.7F})
-      site.points.push_back({u, std::min(4.79F, static_cast<float>(gable_top(static_cast<double>(u))) + up), 0, 1});
-  const WallOutline outline = outline_of(site);
-  ASSERT_EQ(outline.ring.size(), corners);
-  EXPECT_NEAR(outline.ring[2].v, 3, 0.03);
-  EXPECT_NEAR(outline.ring[4].v, 3, 0.03);
-}
-
 // Between two edges of which something is known, the wall is no higher than the higher one, unless it is seen there.
 TEST(WallOutline, AnUnknownStretchIsNoTower) {
   FacadeSite site = wall_under([](double u) { return u < 1.5 ? 5.0 : u < 3 || u > 4.5 ? 3.0 : 1.0; });
