@@ -12,6 +12,8 @@ import argparse
 import concurrent.futures
 import json
 import pathlib
+import shutil
+import threading
 
 from measured_process import measured, size_of
 
@@ -23,7 +25,7 @@ class Steps:
     """What steps took, one line of JSON each; a step with a line is done."""
 
     def __init__(self, path):
-        self.path = path
+        self.path, self.lock = path, threading.Lock()
         self.done = {}
         if path.exists():
             for line in path.read_text().splitlines():
@@ -34,8 +36,8 @@ class Steps:
         if name in self.done:
             return
         step = {"step": name, **work()}
-        self.done[name] = step
-        with open(self.path, "a") as out:
+        with self.lock, open(self.path, "a") as out:
+            self.done[name] = step
             out.write(json.dumps(step) + "\n")
 
     def total(self, prefix):
@@ -81,20 +83,28 @@ def main():
                                         f"scene.area_km2={area:.6g}", "--set", f"scene.density={density:.6g}"], log))
     if not outlines.exists():
         write_outlines(a.work / "town.truth.city.jsonl", outlines)
-    if not (plan / "plan.json").exists():
+    if "plan" not in steps.done:
+        shutil.rmtree(plan, ignore_errors=True)
         steps.run("plan", lambda: measured([a.exe, "plan", cloud, "-o", plan, "--products", "roofs", "--footprints",
                                             outlines, "--crs", "EPSG:2154", "--memory", a.memory, "--area-size",
                                             a.area_size], log))
     areas = len(json.loads((plan / "plan.json").read_text())["areas"])
     wanted = range(1, min(areas, a.rehearse or areas) + 1)
     tasks = [n for n in wanted if f"task {n}" not in steps.done]
-    with concurrent.futures.ThreadPoolExecutor(a.jobs) as pool:
-        command = [a.exe, "task", plan, "--threads", "1", "--memory", a.memory]
-        futures = {pool.submit(measured, command[:3] + [str(n)] + command[3:], log): n for n in tasks}
-        for future in concurrent.futures.as_completed(futures):
-            took = future.result()
-            steps.run(f"task {futures[future]}", lambda took=took: took)
-    if not a.rehearse:
+    options = ["--threads", "1", "--memory", a.memory]
+
+    def task(n):
+        (plan / f"parts/{n}").unlink(missing_ok=True)  # of a task that was stopped before its line was written
+        steps.run(f"task {n}", lambda: measured([a.exe, "task", plan, n, *options], log))
+
+    pool = concurrent.futures.ThreadPoolExecutor(a.jobs)
+    try:
+        for future in [pool.submit(task, n) for n in tasks]:
+            future.result()
+    finally:
+        pool.shutdown(cancel_futures=True)
+    if not a.rehearse and "merge" not in steps.done:
+        shutil.rmtree(out, ignore_errors=True)
         steps.run("merge", lambda: measured([a.exe, "merge", plan, "-o", out, "--memory", a.memory], log))
     report(steps, areas, out, plan)
 
@@ -110,7 +120,7 @@ def report(steps, areas, out, plan):
     print(f"plan with its parts {size_of(plan) / 1e6:.0f} MB")
     if (out / "run.json").exists():
         run = json.loads((out / "run.json").read_text())
-        buildings = run["counts"]["buildings"]
+        buildings = run["counts"]["roofs"]["buildings"]
         print(f"result {size_of(out) / 1e6:.0f} MB, result_hash {run['result_hash']}, buildings {buildings}")
         work = sum(steps.total(n) for n in ("plan", "task ", "merge"))
         print(f"{1e3 * work / buildings:.2f} ms of processor time a building")

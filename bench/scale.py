@@ -13,6 +13,7 @@ import http.server
 import json
 import pathlib
 import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -57,7 +58,8 @@ class Files(http.server.BaseHTTPRequestHandler):
         with open(self.server.path, "rb") as data:
             data.seek(first)
             part = data.read(last - first + 1)
-        self.server.sent += len(part)
+        with self.server.lock:
+            self.server.sent += len(part)
         self.wfile.write(part)
 
     do_HEAD = do_GET
@@ -68,7 +70,8 @@ class Files(http.server.BaseHTTPRequestHandler):
 
 def nodes_of(path):
     """The cubes and sizes of the nodes of a COPC file."""
-    data = path.read_bytes()[:589]
+    with open(path, "rb") as file:
+        data = file.read(589)
     centre, half = struct.unpack_from("<3d", data, 429), struct.unpack_from("<d", data, 453)[0]
     pages, nodes = [struct.unpack_from("<2Q", data, 469)], []
     with open(path, "rb") as file:
@@ -126,6 +129,10 @@ def run_case(exe, work, name, steps, log):
                                                   "--overwrite", *options], log), "hash": hash_of(place / "one")})
     for side in sides:
         plan, out = place / f"plan-{side}", place / f"out-{side}"
+        if f"{name} plan {side}" not in steps.done:
+            shutil.rmtree(plan, ignore_errors=True)
+        if f"{name} merge {side}" not in steps.done:
+            shutil.rmtree(out, ignore_errors=True)
         steps.run(f"{name} plan {side}", lambda: measured([exe, "plan", copc, "-o", plan, "--threads", "1", "--area-size", side, *options], log))
         areas = json.loads((plan / "plan.json").read_text())["areas"]
         for area in areas:
@@ -142,11 +149,12 @@ def fetched(exe, work, steps, log):
     """One task of roofs, an area of 1 km2 of a district of 10 km2, from a server."""
     copc, outlines = prepare(exe, work, "district-wide", log)
     server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Files)
-    server.path, server.sent = copc, 0
+    server.path, server.sent, server.lock = copc, 0, threading.Lock()
     threading.Thread(target=server.serve_forever, daemon=True).start()
     plan = work / "plan-http"
 
     def task():
+        shutil.rmtree(plan, ignore_errors=True)
         url = f"http://127.0.0.1:{server.server_address[1]}/{copc.name}"
         measured([exe, "plan", url, "-o", plan, "--products", "roofs", "--footprints", outlines, "--crs", "EPSG:2154",
                   "--area-size", "1000"], log)

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/scale/survey/survey_points.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
 
 #include "engine/pass/measure_store.h"
 #include "engine/scale/plan_areas.h"
+#include "kernels/core/parallel.h"
 #include "tests/support/cloud_store.h"
 
 namespace ilot {
@@ -80,6 +86,7 @@ void expect_as_indexed(const Files& files, bool as_stated) {
   EXPECT_EQ(survey.rejected, index.rejected);
   EXPECT_EQ(survey.corner, index.corner);
   EXPECT_EQ(survey.strays.cells(), index.strays.cells());
+  EXPECT_EQ(survey.strays.bits(), index.strays.bits());
   EXPECT_EQ(survey.points, index.store.points());
   EXPECT_EQ(survey.box, index.store.box());
   EXPECT_EQ(count(survey), index.store.points());
@@ -129,17 +136,69 @@ TEST(SurveyPoints, KnowsWhereChunksLie) {
   EXPECT_GT(chunks.boxes[0].min.x, kTown.x - 1);
 }
 
-TEST(SurveyPoints, DoesNotDependOnTheParts) {
+// The points of a cloud in so many files, one after the other.
+std::vector<Cloud> parts_of(const Cloud& cloud, std::size_t files) {
+  std::vector<Cloud> parts(files);
+  for (std::size_t i = 0; i < cloud.points.size(); ++i)
+    parts[i * files / cloud.points.size()].add(cloud.points[i], cloud.classes[i]);
+  return parts;
+}
+
+TEST(SurveyPoints, DoesNotDependOnFilesOrThreads) {
   Cloud with = town(150000, 7);
   add_strays(with);
-  Files files({with, town(70000, 8)});
-  const PointSurvey whole = files.survey();
-  files.params.run_points = 70000;
-  const PointSurvey parts = files.survey();
-  EXPECT_EQ(parts.map.squares(), whole.map.squares());
-  EXPECT_EQ(parts.strays.cells(), whole.strays.cells());
-  EXPECT_EQ(parts.classes, whole.classes);
-  EXPECT_EQ(parts.chunks[0].boxes, whole.chunks[0].boxes);
+  const Files one({with}), many(parts_of(with, 7));
+  const PointSurvey whole = one.survey(), parts = many.survey();
+  PointSurvey threads;
+  with_threads(3, [&] { threads = many.survey(); });
+  for (const auto& each : {std::cref(parts), std::cref<PointSurvey>(threads)}) {
+    const PointSurvey& other = each.get();
+    EXPECT_EQ(other.map.squares(), whole.map.squares());
+    EXPECT_EQ(other.strays.cells(), whole.strays.cells());
+    EXPECT_EQ(other.classes, whole.classes);
+    EXPECT_EQ(other.box, whole.box);
+    EXPECT_EQ(other.rejected, whole.rejected);
+    EXPECT_EQ(other.tiles, whole.tiles);
+  }
+}
+
+TEST(SurveyPoints, BelievesNoHead) {
+  const Files files({town(60000, 1)});
+  const auto path = files.folder.path() / "cloud0.laz";
+  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+  constexpr std::streamoff kMaxX = 179;  // of a LAS header
+  const double less = 0.001 * static_cast<double>(kTown.x + 200000);
+  file.seekp(kMaxX).write(reinterpret_cast<const char*>(&less), sizeof less);
+  file.close();
+  Files again({town(60000, 1)});
+  again.inputs[0] = open_cloud(path);
+  expect_as_indexed(again, false);
+}
+
+TEST(SurveyPoints, ReadsTextFrontToBack) {
+  const Cloud cloud = town(3000, 2);
+  Files files({town(60000, 3)});
+  const auto path = files.folder.path() / "text.xyz";
+  std::ofstream text(path);
+  for (const Index3& p : cloud.points)
+    text << fmt::format("{:.3f} {:.3f} {:.3f}\n", 0.001 * p.x, 0.001 * p.y, 0.001 * p.z);
+  text.close();
+  files.inputs.push_back(open_cloud(path));
+  expect_as_indexed(files, false);
+}
+
+// A cloud that is so wide that strays are found in larger cells.
+TEST(SurveyPoints, ManyCoarseCells) {
+  Cloud wide;
+  constexpr std::int64_t kSide = 100, kApart = 600000;
+  for (std::int64_t i = 0; i < kSide * kSide; ++i)
+    for (std::int64_t k = 0; k < 12; ++k) wide.add({i % kSide * kApart + k * 900, i / kSide * kApart, 10 * k}, 2);
+  wide.add({0, 0, 30000000}, 1);
+  const Files files({wide});
+  expect_as_indexed(files, false);
+  const PointSurvey survey = files.survey();
+  EXPECT_GT(survey.strays.bits(), coarse_bits(test::kUnit));
+  EXPECT_EQ(survey.rejected[static_cast<std::size_t>(Rejection::stray)], 1u);
 }
 
 TEST(SurveyPoints, MeasuresTheSameInAnyOrder) {
@@ -161,9 +220,8 @@ TEST(SurveyPoints, AsksForAFinerLattice) {
 }
 
 TEST(PointMap, CountsLargerSquaresWhereThereAreTooMany) {
-  PointMap rising(0), falling(0), parts(0);
+  PointMap falling(0), parts(0);
   constexpr std::int64_t kSide = 1200;  // more than kMostSquares in all
-  for (std::int64_t i = 0; i < kSide * kSide; ++i) rising.add({i / kSide - 300, i % kSide}, 2);
   for (std::int64_t half = 1; half >= 0; --half) {
     PointMap part(0);
     for (std::int64_t i = kSide * kSide / 2; i-- > 0;) {
