@@ -13,35 +13,11 @@ import concurrent.futures
 import json
 import pathlib
 import shutil
-import threading
 
-from measured_process import measured, size_of
+from measured_process import Steps, measured, size_of
 
 BUILDINGS_OF_KM2 = 2130
 POINTS_OF_BUILDING = 2000
-
-
-class Steps:
-    """What steps took, one line of JSON each; a step with a line is done."""
-
-    def __init__(self, path):
-        self.path, self.lock = path, threading.Lock()
-        self.done = {}
-        if path.exists():
-            for line in path.read_text().splitlines():
-                step = json.loads(line)
-                self.done[step["step"]] = step
-
-    def run(self, name, work):
-        if name in self.done:
-            return
-        step = {"step": name, **work()}
-        with self.lock, open(self.path, "a") as out:
-            self.done[name] = step
-            out.write(json.dumps(step) + "\n")
-
-    def total(self, prefix):
-        return sum(s["user"] + s["system"] for n, s in self.done.items() if n.startswith(prefix))
 
 
 def write_outlines(models, path):

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What one process took: processor time, memory and bytes."""
+"""What one process took (processor time, memory and bytes), and the steps of a long measurement."""
 import contextlib
+import json
 import os
 import pathlib
 import subprocess
+import threading
 import time
 
 
@@ -29,3 +31,26 @@ def measured(command, log, codes=(0, 3)):
 
 def size_of(folder):
     return sum(f.stat().st_size for f in pathlib.Path(folder).rglob("*") if f.is_file())
+
+
+class Steps:
+    """What steps took, one line of JSON each; a step with a line is done."""
+
+    def __init__(self, path):
+        self.path, self.lock = path, threading.Lock()
+        self.done = {}
+        if path.exists():
+            for line in path.read_text().splitlines():
+                step = json.loads(line)
+                self.done[step["step"]] = step
+
+    def run(self, name, work):
+        if name in self.done:
+            return
+        step = {"step": name, **work()}
+        with self.lock, open(self.path, "a") as out:
+            self.done[name] = step
+            out.write(json.dumps(step) + "\n")
+
+    def total(self, prefix):
+        return sum(s["user"] + s["system"] for n, s in self.done.items() if n.startswith(prefix))

@@ -20,8 +20,8 @@ import sys
 import threading
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from many_buildings import Steps, write_outlines  # noqa: E402
-from measured_process import measured, size_of  # noqa: E402
+from many_buildings import write_outlines  # noqa: E402
+from measured_process import Steps, measured, size_of  # noqa: E402
 
 # scene and its options, products, sides of areas in metres
 CASES = {

@@ -12,8 +12,8 @@ Index3 corner_of(CoarseCell cell, int bits) {
   return {cell.x << bits, cell.y << bits, cell.z << bits};
 }
 
-// Adds points of one cell and one chunk, one after the other, and finds the sums that change only where they are others
-// than those of the point before.
+// Adds points of one cell and one chunk. A sum is looked up again only where the next point has another class or lies
+// in another square.
 class CellTally {
  public:
   CellTally(PointSums& sums, InputChunk chunk) : sums_(sums) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/products/facades/openings/unseen_areas.h"
+#include "kernels/geometry/ring.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -46,13 +47,11 @@ std::vector<std::int64_t> tops_of(const WallCells& cells) {
   return tops;
 }
 
-// Whether a place is inside of a ring.
-bool is_within(const std::vector<Place2>& ring, Place2 p) {
+bool contains(const std::vector<Place2>& ring, Place2 p) {
+  const auto flat = [](Place2 q) { return FlatPoint{q.u, q.v}; };
   bool inside = false;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Place2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    if ((a.v > p.v) != (b.v > p.v) && p.u < a.u + (b.u - a.u) * (p.v - a.v) / (b.v - a.v)) inside = !inside;
-  }
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    inside ^= ray_crosses(flat(p), flat(ring[i]), flat(ring[(i + 1) % ring.size()]));
   return inside;
 }
 
@@ -107,7 +106,7 @@ std::vector<UnseenArea> unseen_above_wall(const WallCells& cells, const std::vec
     if ((cells.what[i] != kUnknown && cells.what[i] != kBlocked) || r <= tops[static_cast<std::size_t>(c)]) continue;
     const Place2 middle{(static_cast<double>(c) + 0.5) * cells.cell, (static_cast<double>(r) + 0.5) * cells.cell};
     const auto covers = [&](const Box2& box) { return box.contains(middle); };
-    bare[i] = is_within(outline, middle) && std::none_of(drawn.begin(), drawn.end(), covers);
+    bare[i] = contains(outline, middle) && std::none_of(drawn.begin(), drawn.end(), covers);
   }
   return areas_of_cells(bare, cells, side_of_bare_square(cells, least_size));
 }
