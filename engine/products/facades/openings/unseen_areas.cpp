@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/products/facades/openings/unseen_areas.h"
-#include "kernels/geometry/ring.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <utility>
+
+#include "kernels/geometry/ring.h"
 
 namespace ilot {
 namespace {
