@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Measures what each drawn parameter does to facades. A calm scene is scanned, drawn and judged for several seeds; then
 the same seeds with one parameter at a value that is known to fail. Writes one line of CSV for each scan and prints the
-table of bench/wild/README.md.
+table of bench/wild/history/facades.md.
 
   bench/wild/facade_failures.py PROGRAM FOLDER [--seeds 0-3] [--jobs 2] [--only "NAME;NAME"]
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double kHeadroom = 2.2;  // metres above the ground
 constexpr double kWaist = 1;       // Choice: metres above the ground; crowns of trees begin higher
 // Measured: nine in ten widths to walls of wild streets are as near, on seeds that were not met too
-// (bench/wild/README.md).
+// (bench/wild/history/streets.md).
 constexpr double kPixelsOfError = 2;
 constexpr double kNearestStep = 0.5;          // Choice: metres; another kerb that is nearer is the same one
 constexpr std::uint64_t kBytesOfWindow = 40;  // the six layers of a window, and what they say
