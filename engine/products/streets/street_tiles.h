@@ -32,7 +32,7 @@ PointDensity point_density(const Store& store, const PassContext& context);
 // number of points, and few of them. A scanner on the ground gives many times more points to what is upright or near.
 // The view is from the air where less than a quarter of the points lie in dense cells, where the 9th decile of the
 // points of a square metre is at most 20 times the 1st, and where the median is at most 200 points a square metre.
-// docs/streets.md has the values of our clouds.
+// bench/wild/history/streets.md has the values of our clouds.
 StreetView view_of(const PointDensity& density);
 
 // The size of a pixel for a density, in multiples of 5 cm from 5 cm to 1 m. From the street it is half of the sampling
