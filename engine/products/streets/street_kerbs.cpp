@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "engine/products/streets/kerbs/kerb_lines.h"
 #include "engine/products/streets/kerbs/step_fit.h"
@@ -35,6 +36,12 @@ class KerbFinder {
                             std::sqrt(params.points_of_window / (kPi * std::max(1e-3, density.median)))});
     reach_ = static_cast<std::uint32_t>(std::ceil(fit_.radius / pixel)) + 1;
     halo_ = 2 * reach_;
+    // A pixel `v` rows away has at least v - 1 pixels between it and the place.
+    for (std::uint32_t v = 0; v <= reach_; ++v) {
+      const double apart = std::max(0.0, v - 1.0) * pixel;
+      const double chord = std::sqrt(std::max(0.0, fit_.radius * fit_.radius - apart * apart));
+      chords_.push_back(std::min(reach_, static_cast<std::uint32_t>(std::ceil(chord / pixel)) + 1));
+    }
     places_.resize(raster_.grid.count());
   }
 
@@ -115,9 +122,10 @@ class KerbFinder {
     const double pixel = raster_.scale.pixel;
     const auto column = static_cast<std::int64_t>(x / pixel), row = static_cast<std::int64_t>(y / pixel);
     const auto r = std::int64_t{reach_}, last = std::int64_t{window.side} - 1;
-    const std::int64_t from = std::max<std::int64_t>(0, column - r), to = std::min(last, column + r);
     std::size_t count = 0;
     for (std::int64_t v = std::max<std::int64_t>(0, row - r); v <= std::min(last, row + r); ++v) {
+      const auto chord = std::int64_t{chords_[static_cast<std::size_t>(std::abs(v - row))]};
+      const std::int64_t from = std::max<std::int64_t>(0, column - chord), to = std::min(last, column + chord);
       const std::uint32_t* const of_row = window.first.data() + v * window.side;
       const std::uint32_t first = of_row[from], end = of_row[to + 1];
       if (room.size() < count + (end - first)) room.resize(2 * (count + (end - first)));
@@ -193,6 +201,7 @@ class KerbFinder {
   const PassContext& context_;
   StepFitParams fit_;
   std::uint32_t factor_ = 1, reach_ = 1, halo_ = 1;  // pixels
+  std::vector<std::uint32_t> chords_;                // pixels; half of the window, by the distance in rows
   std::vector<std::vector<StepPoint>> places_;       // by tile
 };
 

@@ -2,6 +2,8 @@
 // Cells: the coarse raster of a street, on which terrain and buildings are found. A cell is a square of pixels, and the
 // images of cells are layers of the same tiles.
 #pragma once
+#include <bit>
+#include <cassert>
 #include <cstdint>
 
 #include "engine/tiles/raster_scale.h"
@@ -20,9 +22,13 @@ struct Cells {
   TileLayers layers;         // the layers of the raster of pixels, with the grid of cells
 
   std::uint32_t side() const { return layers.grid.side; }
-  // The cell of a pixel of a tile of `width` pixels, both numbered row by row.
+  // The cell of a pixel of a tile of `width` pixels, both numbered row by row. The width is a power of two as the
+  // factor is, so that nothing is divided.
   std::size_t cell_of(std::size_t pixel, std::uint32_t width) const {
-    return (pixel / width / factor) * (width / factor) + pixel % width / factor;
+    assert(std::has_single_bit(width) && factor <= width);
+    const int of_width = std::countr_zero(width), of_cell = std::countr_zero(factor);
+    const std::size_t row = pixel >> (of_width + of_cell), column = (pixel & (width - 1)) >> of_cell;
+    return (row << (of_width - of_cell)) + column;
   }
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
+#include <span>
 
 #include "engine/products/streets/ground/standing_form.h"
 #include "kernels/rasters/box_minimum.h"
@@ -38,10 +39,12 @@ Image parts_around(const TileLayers& layers, const Cells& cells, std::size_t til
               structure = layer_around(cells.layers, "structure", tile, cell_halo),
               top = layer_around(cells.layers, "top", tile, cell_halo);
   const std::uint32_t offset = cell_halo * f - halo;
+  const int of_cell = std::countr_zero(f);
   for (std::uint32_t y = 0; y < filled.height; ++y)
     for (std::uint32_t x = 0; x < filled.width; ++x) {
       const std::size_t i = std::size_t{y} * filled.width + x;
-      const std::size_t cell = std::size_t{(y + offset) / f} * terrain.width + (x + offset) / f;
+      const std::size_t cell =
+          std::size_t{(y + offset) >> of_cell} * terrain.width + ((x + offset) >> of_cell);
       Part part = Part::other;
       if (filled.values[i] != kNoHeight && terrain.values[cell] != kNoHeight) {
         const Height above = filled.values[i] - terrain.values[cell];
@@ -71,6 +74,33 @@ bool near_building(const Image& parts, std::size_t x, std::size_t y, std::size_t
     for (std::size_t u = x - reach; u <= x + reach; ++u)
       if (parts.values[v * parts.width + u] == static_cast<Height>(Part::building)) return true;
   return false;
+}
+
+// The heights of cells between which those of a row of pixels lie.
+struct CellRows {
+  const Height* upper = nullptr;  // of the row of cells whose middles are above the pixels; the next row follows
+  const Height* own = nullptr;    // of the row of cells in which the pixels are, from the first of these on
+  std::uint32_t width = 0;        // cells of a row
+  std::int64_t dy = 0;            // halves of a pixel, from the middles of the upper row
+};
+
+// Heights of a row of pixels between the four nearest middles of cells of `f` pixels. Where one of these is unknown it
+// is the height of the pixel's own cell. Between two middles the weighted sum grows by the same amount each pixel.
+void interpolate(const CellRows& rows, std::uint32_t f, std::span<Height> to) {
+  const int shift = std::countr_zero(f);
+  const std::int64_t side = 2 * std::int64_t{f}, dy = rows.dy;
+  const Height* lower = rows.upper + rows.width;
+  for (std::uint32_t x = 0; x < to.size();) {
+    const std::uint32_t u = 2 * x + 1 + f, j = u >> (shift + 1);
+    const std::uint32_t end = std::min(static_cast<std::uint32_t>(to.size()), f * (j + 1) - (f + 1) / 2);
+    const Height *a = rows.upper + j, *c = lower + j;
+    const bool known = a[0] != kNoHeight && a[1] != kNoHeight && c[0] != kNoHeight && c[1] != kNoHeight;
+    const std::int64_t left = (side - dy) * a[0] + dy * c[0], right = (side - dy) * a[1] + dy * c[1];
+    const std::int64_t dx = u & (side - 1), step = 2 * (right - left);
+    std::int64_t sum = (side - dx) * left + dx * right;
+    for (; x < end; ++x, sum += step)
+      to[x] = known ? static_cast<Height>(sum >> (2 * (shift + 1))) : rows.own[x >> shift];
+  }
 }
 
 }  // namespace
@@ -135,22 +165,14 @@ Image terrain_of_pixels(const Cells& cells, std::size_t tile, std::uint32_t halo
   const Image around = layer_around(cells.layers, "terrain", tile, cell_halo + 1);
   Image out = filled_image((around.width - 2) * f, (around.height - 2) * f, kNoHeight);
   // Positions are halves of a pixel from the middle of the first cell; a cell is a power of two of them.
-  const auto shift = static_cast<std::uint32_t>(std::countr_zero(f)) + 1;
+  const int shift = std::countr_zero(f) + 1;
   const std::uint32_t side = 2 * f;
   for (std::uint32_t y = 0; y < out.height; ++y) {
     const std::uint32_t v = 2 * y + 1 + f;
-    const std::int64_t dy = v % side;
-    const Height* upper = around.values.data() + std::size_t{v >> shift} * around.width;
-    const Height* own = around.values.data() + (std::size_t{y} / f + 1) * around.width + 1;
-    Height* to = out.values.data() + std::size_t{y} * out.width;
-    for (std::uint32_t x = 0; x < out.width; ++x) {
-      const std::uint32_t u = 2 * x + 1 + f;
-      const std::int64_t dx = u % side;
-      const Height *a = upper + (u >> shift), *c = a + around.width;
-      const bool known = (a[0] != kNoHeight) & (a[1] != kNoHeight) & (c[0] != kNoHeight) & (c[1] != kNoHeight);
-      const std::int64_t sum = (side - dy) * ((side - dx) * a[0] + dx * a[1]) + dy * ((side - dx) * c[0] + dx * c[1]);
-      to[x] = known ? static_cast<Height>(sum >> (2 * shift)) : own[x / f];
-    }
+    const CellRows rows{around.values.data() + std::size_t{v >> shift} * around.width,
+                        around.values.data() + (std::size_t{y >> (shift - 1)} + 1) * around.width + 1, around.width,
+                        v & (side - 1)};
+    interpolate(rows, f, std::span(out.values).subspan(std::size_t{y} * out.width, out.width));
   }
   return cell_halo * f == halo ? out : without_halo(out, cell_halo * f - halo);
 }

@@ -11,9 +11,10 @@
 namespace ilot {
 namespace {
 
-constexpr int kDirections = 16;                        // over half a turn
-constexpr std::array<double, 4> kTurns{-6, -3, 3, 6};  // degrees, from the best of them
-constexpr int kBins = 32;                              // across the window
+constexpr std::size_t kAtOnce = 4;                           // directions that are tried at once
+constexpr std::size_t kDirections = 16;                      // over half a turn
+constexpr std::array<double, kAtOnce> kTurns{-6, -3, 3, 6};  // degrees, from the best of them
+constexpr int kBins = 32;                                    // across the window
 // Derived: points of the face of a kerb are this near to the edge (the width of two bins), where they would tilt
 // planes.
 constexpr double kFaceShare = 8;         // of the radius
@@ -80,20 +81,22 @@ struct Line {
   double gain = 0;
 };
 
-// The directions that are tried, each with those near it.
 struct Direction {
   double ux = 1, uy = 0;
 };
+using Directions = std::array<Direction, kAtOnce>;
+
+// The directions that are tried, each with those near it.
 struct TriedDirections {
-  std::array<Direction, kDirections> all;
-  std::array<std::array<Direction, kTurns.size()>, kDirections> near;
+  std::array<Directions, kDirections / kAtOnce> all;
+  std::array<Directions, kDirections> near;
 
   TriedDirections() {
     const auto towards = [](double degrees) { return Direction{cos_degrees(degrees), cos_degrees(degrees - 90)}; };
     for (std::size_t k = 0; k < kDirections; ++k) {
       const double degrees = 180.0 * static_cast<double>(k) / kDirections;
-      all[k] = towards(degrees);
-      for (std::size_t t = 0; t < kTurns.size(); ++t) near[k][t] = towards(degrees + kTurns[t]);
+      all[k / kAtOnce][k % kAtOnce] = towards(degrees);
+      for (std::size_t t = 0; t < kAtOnce; ++t) near[k][t] = towards(degrees + kTurns[t]);
     }
   }
 };
@@ -121,24 +124,45 @@ class StepFinder {
     static const TriedDirections tried;
     Line best;
     std::size_t nearest = 0;
-    for (std::size_t k = 0; k < kDirections; ++k)
-      if (try_direction(tried.all[k], inverse, best)) nearest = k;
-    for (const Direction& d : tried.near[nearest]) try_direction(d, inverse, best);
+    for (std::size_t k = 0; k < tried.all.size(); ++k)
+      if (const auto better = try_directions(tried.all[k], inverse, best)) nearest = k * kAtOnce + *better;
+    try_directions(tried.near[nearest], inverse, best);
     if (best.gain == 0) return std::nullopt;
     return of_line(best);
   }
 
  private:
-  // Returns whether a line across the direction is better than the best one.
-  bool try_direction(Direction d, const Inverse& inverse, Line& best) const {
-    std::array<Side, kBins> bins{};
+  using Bins = std::array<Side, kBins>;
+
+  // The sums over the points of each bin across each direction. Points come in rows, so that one after the other is in
+  // the same bin and waits for its sums; of several directions at once the others do not wait.
+  std::array<Bins, kAtOnce> bins_across(const Directions& directions) const {
+    std::array<Bins, kAtOnce> bins{};
     const double per = kBins / (2 * params_.radius);
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const GroundPoint& p = points_[i];
-      const double t = p.x * d.ux + p.y * d.uy;
-      const int bin = std::clamp(static_cast<int>((t + params_.radius) * per), 0, kBins - 1);
-      bins[static_cast<std::size_t>(bin)].add({1, p.x, p.y, residuals_[i]});
+      const Side own{1, p.x, p.y, residuals_[i]};
+      for (std::size_t k = 0; k < kAtOnce; ++k) {
+        const double t = p.x * directions[k].ux + p.y * directions[k].uy;
+        const int bin = std::clamp(static_cast<int>((t + params_.radius) * per), 0, kBins - 1);
+        bins[k][static_cast<std::size_t>(bin)].add(own);
+      }
     }
+    return bins;
+  }
+
+  // Returns the last of these directions across which a line is better than the best one.
+  std::optional<std::size_t> try_directions(const Directions& directions, const Inverse& inverse, Line& best) const {
+    const std::array<Bins, kAtOnce> bins = bins_across(directions);
+    std::optional<std::size_t> better;
+    for (std::size_t k = 0; k < kAtOnce; ++k)
+      if (try_lines(directions[k], bins[k], inverse, best)) better = k;
+    return better;
+  }
+
+  // Returns whether a line between two bins across the direction is better than the best one.
+  bool try_lines(Direction d, const Bins& bins, const Inverse& inverse, Line& best) const {
+    const double per = kBins / (2 * params_.radius);
     Side up;
     bool better = false;
     const auto all = static_cast<double>(points_.size());
