@@ -43,8 +43,7 @@ Image parts_around(const TileLayers& layers, const Cells& cells, std::size_t til
   for (std::uint32_t y = 0; y < filled.height; ++y)
     for (std::uint32_t x = 0; x < filled.width; ++x) {
       const std::size_t i = std::size_t{y} * filled.width + x;
-      const std::size_t cell =
-          std::size_t{(y + offset) >> of_cell} * terrain.width + ((x + offset) >> of_cell);
+      const std::size_t cell = std::size_t{(y + offset) >> of_cell} * terrain.width + ((x + offset) >> of_cell);
       Part part = Part::other;
       if (filled.values[i] != kNoHeight && terrain.values[cell] != kNoHeight) {
         const Height above = filled.values[i] - terrain.values[cell];
