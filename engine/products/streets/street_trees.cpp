@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 #include <tuple>
 
 #include "engine/products/streets/street_labels.h"
@@ -27,7 +29,11 @@ constexpr double kTrunkVoxel = 0.1;  // metres; a thin trunk fills one
 // Choice: three of them are the least that is seen of a trunk; a point a slice is enough.
 constexpr double kTrunkSlice = 0.25;              // metres
 constexpr std::uint64_t kBytesOfRead = 2u << 20;  // points while they are read, with their labels
-constexpr std::uint64_t kBytesOfCell = 160;       // of a window in which crowns are found
+// Of a window in which crowns are found: five layers, the regions of two steps and what reading takes.
+constexpr std::uint64_t kBytesOfCell = 30;
+// More for a cell of a crown: its places in two orders and, where crowns are as small as the noise of their heights
+// makes them (nine cells), its share of a region, of the passes to six others and of the joins.
+constexpr std::uint64_t kBytesOfCrownCell = 70;
 const char* const kLayers[] = {"tree top", "tree low", "tree above", "tree points", "tree bins"};
 
 // The raster of tree cells: squares of 2^n pixels.
@@ -65,6 +71,7 @@ class TreeFinder {
       : store_(store), tiles_(tiles), view_(view), context_(context), params_(params), raster_(tree_raster(tiles)) {
     trunks_.resize(tiles.raster().grid.count());
     trees_.resize(trunks_.size());
+    crown_cells_.resize(trunks_.size());
     const double pixel = tiles.raster().scale.pixel;
     // Powers of two divide the side of a tile, so that all tiles have the same voxels.
     for (voxel_ = 1; 2 * voxel_ * pixel <= 1.5 * kTrunkVoxel;) voxel_ *= 2;
@@ -79,9 +86,9 @@ class TreeFinder {
         columns * (4 + slices() * (sizeof(TrunkVoxel) + 2));  // at most, with marks, and pieces of those in use
     run_tasks(tiles_.raster().grid, std::vector<std::uint64_t>(trunks_.size(), voxels + side * side * 8 + kBytesOfRead),
               [&](std::size_t tile) { draw(tile); });
-    const std::uint64_t wide = raster_.layers.grid.side + 2 * reach();
-    run_tasks(tiles_.raster().grid, std::vector<std::uint64_t>(trunks_.size(), wide * wide * kBytesOfCell),
-              [&](std::size_t tile) { find_in(tile); });
+    std::vector<std::uint64_t> bytes;
+    for (std::size_t tile = 0; tile < trunks_.size(); ++tile) bytes.push_back(bytes_of_window(tile));
+    run_tasks(tiles_.raster().grid, bytes, [&](std::size_t tile) { find_in(tile); });
     for (const char* layer : kLayers) raster_.layers.drop(layer);
     std::vector<StreetTree> all;
     for (const std::vector<StreetTree>& of_tile : trees_) all.insert(all.end(), of_tile.begin(), of_tile.end());
@@ -93,6 +100,7 @@ class TreeFinder {
   std::uint32_t slices() const {
     return static_cast<std::uint32_t>(std::ceil((kTrunkTo - kTrunkFrom) / slice_ - 1e-9));
   }
+  Height least_height() const { return tiles_.raster().scale.units(params_.least_height); }
   std::uint32_t reach() const { return static_cast<std::uint32_t>(std::ceil(params_.reach / raster_.cell)); }
 
   // Reads the points of a tile and of a ring around it: the layers of the tile's cells, and its trunks.
@@ -122,6 +130,9 @@ class TreeFinder {
           add_to_cells((u - halo_) / raster_.factor, (v - halo_) / raster_.factor, z, z - ground, cells);
       }
     });
+    crown_cells_[tile] =
+        static_cast<std::uint64_t>(std::count_if(cells.above.values.begin(), cells.above.values.end(),
+                                                 [least = least_height()](Height v) { return v >= least; }));
     write(tile, cells);
     place_trunks(tile, voxels);
   }
@@ -186,6 +197,23 @@ class TreeFinder {
     }
   }
 
+  // Calls take(tile) for the tiles that the window around a tile overlaps.
+  template <class Take>
+  void for_tiles_around(std::size_t tile, const Take& take) const {
+    const TileFrame frame = tile_frame(raster_.layers.grid, tile);
+    const std::int64_t r = reach(), side = raster_.layers.grid.side, last = side - 1 + r;
+    for (std::int64_t row = floor_of(frame.y - r, side); row <= floor_of(frame.y + last, side); ++row)
+      for (std::int64_t column = floor_of(frame.x - r, side); column <= floor_of(frame.x + last, side); ++column)
+        if (const std::size_t other = raster_.layers.grid.tile_at(row, column); other != kNoTile) take(other);
+  }
+
+  std::uint64_t bytes_of_window(std::size_t tile) const {
+    const std::uint64_t wide = raster_.layers.grid.side + 2 * reach();
+    std::uint64_t crowns = 0;
+    for_tiles_around(tile, [&](std::size_t other) { crowns += crown_cells_[other]; });
+    return wide * wide * kBytesOfCell + std::min(crowns, wide * wide) * kBytesOfCrownCell;
+  }
+
   // A tile with the cells around it.
   struct Window {
     std::int64_t x = 0, y = 0;  // its first cell
@@ -200,14 +228,11 @@ class TreeFinder {
     Image* const images[] = {&w.cells.top, &w.cells.low, &w.cells.above, &w.cells.points, &w.cells.bins};
     for (std::size_t i = 0; i < std::size(kLayers); ++i)
       *images[i] = layer_around(raster_.layers, kLayers[i], tile, reach());
-    const std::int64_t side = raster_.layers.grid.side, x1 = w.x + w.cells.top.width, y1 = w.y + w.cells.top.height;
-    for (std::int64_t row = floor_of(w.y, side); row <= floor_of(y1 - 1, side); ++row)
-      for (std::int64_t column = floor_of(w.x, side); column <= floor_of(x1 - 1, side); ++column) {
-        const std::size_t other = raster_.layers.grid.tile_at(row, column);
-        if (other == kNoTile) continue;
-        for (const PlacedTrunk& t : trunks_[other])
-          if (t.x >= w.x && t.y >= w.y && t.x < x1 && t.y < y1) w.trunks.push_back(t);
-      }
+    const std::int64_t x1 = w.x + w.cells.top.width, y1 = w.y + w.cells.top.height;
+    for_tiles_around(tile, [&](std::size_t other) {
+      for (const PlacedTrunk& t : trunks_[other])
+        if (t.x >= w.x && t.y >= w.y && t.x < x1 && t.y < y1) w.trunks.push_back(t);
+    });
     std::erase_if(w.trunks, [&](const PlacedTrunk& t) { return !carries_crown(w, t); });
     return w;
   }
@@ -235,7 +260,7 @@ class TreeFinder {
 
   void find_in(std::size_t tile) {
     const Window w = window_around(tile);
-    const Height least = tiles_.raster().scale.units(params_.least_height);
+    const Height least = least_height();
     if (std::none_of(w.cells.above.values.begin(), w.cells.above.values.end(), [&](Height v) { return v >= least; }))
       return;
     std::vector<TrunkCell> seeds;
@@ -246,16 +271,33 @@ class TreeFinder {
     params.least_height = least;
     params.cell = raster_.cell / tiles_.raster().scale.unit;
     const CrownRegions crowns = find_crowns(w.cells.above, seeds, params);
-    std::vector<std::vector<std::size_t>> cells(crowns.regions.size());
-    for (std::size_t i = 0; i < crowns.of.size(); ++i)
-      if (crowns.of[i] != 0) cells[crowns.of[i] - 1].push_back(i);
-    for (std::size_t r = 0; r < cells.size(); ++r) add_tree(tile, w, crowns.regions[r], cells[r]);
+    const auto [first, cells] = cells_by_region(crowns);
+    for (std::size_t r = 0; r < crowns.regions.size(); ++r)
+      add_tree(tile, w, crowns.regions[r], std::span(cells).subspan(first[r], first[r + 1] - first[r]));
     std::sort(trees_[tile].begin(), trees_[tile].end(), [](const StreetTree& a, const StreetTree& b) {
       return std::tie(a.position.y, a.position.x) < std::tie(b.position.y, b.position.x);
     });
   }
 
-  void add_tree(std::size_t tile, const Window& w, const CrownRegion& region, const std::vector<std::size_t>& crown) {
+  // The cells of regions: those of region r are [first[r], first[r + 1]).
+  struct RegionCells {
+    std::vector<std::size_t> first;
+    std::vector<std::uint32_t> cells;
+  };
+
+  static RegionCells cells_by_region(const CrownRegions& crowns) {
+    RegionCells out{std::vector<std::size_t>(crowns.regions.size() + 1, 0), {}};
+    for (const std::uint32_t of : crowns.of)
+      if (of != 0) ++out.first[of];
+    std::partial_sum(out.first.begin(), out.first.end(), out.first.begin());
+    out.cells.resize(out.first.back());
+    std::vector<std::size_t> next = out.first;
+    for (std::size_t i = 0; i < crowns.of.size(); ++i)
+      if (crowns.of[i] != 0) out.cells[next[crowns.of[i] - 1]++] = static_cast<std::uint32_t>(i);
+    return out;
+  }
+
+  void add_tree(std::size_t tile, const Window& w, const CrownRegion& region, std::span<const std::uint32_t> crown) {
     const PlacedTrunk* trunk = region.trunk < 0 ? nullptr : &w.trunks[static_cast<std::size_t>(region.trunk)];
     const double tx = trunk ? trunk->x - static_cast<double>(w.x) : 0,
                  ty = trunk ? trunk->y - static_cast<double>(w.y) : 0;
@@ -304,6 +346,7 @@ class TreeFinder {
   double slice_ = kTrunkSlice;
   std::vector<std::vector<PlacedTrunk>> trunks_;  // by tile
   std::vector<std::vector<StreetTree>> trees_;    // by tile
+  std::vector<std::uint64_t> crown_cells_;        // by tile
 };
 
 }  // namespace

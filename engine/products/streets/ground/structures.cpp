@@ -17,7 +17,9 @@ constexpr std::uint32_t kLeastWalls = 3;  // cells of a wall near what belongs t
 // Derived: the edges of roofs are decided from two cells around and the neighbours of those.
 constexpr std::uint32_t kEdgeHalo = 3;  // cells
 // Derived: 72 features and their bins, and 36 sums and maxima, of eight bytes.
-constexpr std::uint32_t kBytesOfCell = 1000;
+constexpr std::uint32_t kBytesOfLearntCell = 1000;
+// Derived: three images of four bytes, and ten counts and two sums of rows of two bytes, twice.
+constexpr std::uint32_t kBytesOfVotedCell = 60;
 // Derived: a line aslant to the cells crosses five of nine, and the eaves before it cover two more.
 constexpr std::uint32_t kSolidCells = 8;  // of nine; so many of volumes are no edge of a building
 // Derived: of the nine cells around one beside the edge of a roof, three are of the edge.
@@ -133,7 +135,8 @@ class StructureFinder {
   void find() {
     const auto found = [&](std::size_t tile) { return view_ == StreetView::air ? voted(tile) : learnt(tile); };
     for_each_tile(layers_.grid, [&](std::size_t tile) { layers_.write("structure", tile, found(tile)); },
-                  {kBytesOfCell, std::max(reach_ + kEdgeHalo, kStandingHalo)});
+                  {view_ == StreetView::air ? kBytesOfVotedCell : kBytesOfLearntCell,
+                   std::max(reach_ + kEdgeHalo, kStandingHalo)});
     drop_small_buildings();
   }
 

@@ -49,11 +49,14 @@ class CrownFinder {
   // Labels each cell with the treetop that it leads to: from the highest cell down, each takes the region of its
   // highest neighbour, or begins one.
   void climb() {
-    std::vector<std::size_t> order;
+    std::vector<std::uint32_t> order;
+    order.reserve(static_cast<std::size_t>(std::count_if(above_.values.begin(), above_.values.end(),
+                                                         [&](Height v) { return v >= params_.least_height; })));
     for (std::size_t i = 0; i < above_.size(); ++i)
-      if (in_crown(i)) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return above_.values[a] > above_.values[b]; });
+      if (in_crown(i)) order.push_back(static_cast<std::uint32_t>(i));
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return above_.values[a] != above_.values[b] ? above_.values[a] > above_.values[b] : a < b;
+    });
     of_.assign(above_.size(), 0);
     for (const std::size_t i : order) {
       std::size_t best = i;

@@ -29,12 +29,12 @@ double elongation_of(double xx, double xy, double yy) {
 
 }  // namespace
 
-TreeShape tree_shape(const VegetationCells& cells, std::span<const std::size_t> crown, double x, double y,
+TreeShape tree_shape(const VegetationCells& cells, std::span<const std::uint32_t> crown, double x, double y,
                      double trunk) {
   TreeShape shape;
   std::vector<Height> low;
   double xx = 0, xy = 0, yy = 0;
-  for (const std::size_t i : crown) {
+  for (const std::uint32_t i : crown) {
     const double u = static_cast<double>(i % cells.top.width) + 0.5, v = static_cast<double>(i / cells.top.width) + 0.5;
     shape.x += u, shape.y += v;
     xx += u * u, xy += u * v, yy += v * v;
@@ -48,17 +48,17 @@ TreeShape tree_shape(const VegetationCells& cells, std::span<const std::size_t> 
   shape.x /= n, shape.y /= n;
   shape.elongation = elongation_of(xx / n - shape.x * shape.x, xy / n - shape.x * shape.y, yy / n - shape.y * shape.y);
   if (low.empty())
-    for (const std::size_t i : crown) low.push_back(cells.low.values[i]);
+    for (const std::uint32_t i : crown) low.push_back(cells.low.values[i]);
   const auto tenth = low.begin() + static_cast<std::ptrdiff_t>(low.size() / kTenths);
   std::nth_element(low.begin(), tenth, low.end());
   shape.base = *tenth;
   return shape;
 }
 
-double unseen_share(const VegetationCells& cells, std::span<const std::size_t> crown, double x, double y,
+double unseen_share(const VegetationCells& cells, std::span<const std::uint32_t> crown, double x, double y,
                     std::uint32_t first_bin, std::uint32_t last_bin) {
   std::array<std::uint32_t, kSides> seen{};
-  for (const std::size_t i : crown) {
+  for (const std::uint32_t i : crown) {
     const double u = static_cast<double>(i % cells.top.width) + 0.5, v = static_cast<double>(i / cells.top.width) + 0.5;
     seen[side_of(u - x, v - y)] |= static_cast<std::uint32_t>(cells.bins.values[i]);
   }

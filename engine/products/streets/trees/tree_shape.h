@@ -32,12 +32,12 @@ struct TreeShape {
 
 // Measures the crown of the given cells (at least one). Cells within `trunk` cells of a trunk at (x, y) have no part in
 // the base; a negative `trunk` leaves none out.
-TreeShape tree_shape(const VegetationCells& cells, std::span<const std::size_t> crown, double x, double y,
+TreeShape tree_shape(const VegetationCells& cells, std::span<const std::uint32_t> crown, double x, double y,
                      double trunk);
 
 // The share of a crown's sides without a point: eight sides around (x, y), each cut into half metres, from the first to
 // the last bin.
-double unseen_share(const VegetationCells& cells, std::span<const std::size_t> crown, double x, double y,
+double unseen_share(const VegetationCells& cells, std::span<const std::uint32_t> crown, double x, double y,
                     std::uint32_t first_bin, std::uint32_t last_bin);
 
 }  // namespace ilot

@@ -77,8 +77,8 @@ TEST(TreeShape, MeasuresOfACrown) {
   cells.bins = filled_image(10, 10, 0b1111000000);
   cells.top.values[33] = 7000;
   cells.low.values[55] = 0;  // the trunk
-  std::vector<std::size_t> all(100);
-  for (std::size_t i = 0; i < 100; ++i) all[i] = i;
+  std::vector<std::uint32_t> all(100);
+  for (std::uint32_t i = 0; i < 100; ++i) all[i] = i;
   const TreeShape shape = tree_shape(cells, all, 5.5, 5.5, 1);
   EXPECT_EQ(shape.top, 7000);
   EXPECT_EQ(shape.base, 3000);
@@ -87,7 +87,7 @@ TEST(TreeShape, MeasuresOfACrown) {
   EXPECT_DOUBLE_EQ(shape.x, 5);
   EXPECT_DOUBLE_EQ(unseen_share(cells, all, 5, 5, 6, 9), 0);
   EXPECT_DOUBLE_EQ(unseen_share(cells, all, 5, 5, 4, 9), 2.0 / 6);
-  const std::vector<std::size_t> one{0};  // a cell on one side of the middle
+  const std::vector<std::uint32_t> one{0};  // a cell on one side of the middle
   EXPECT_DOUBLE_EQ(unseen_share(cells, one, 5, 5, 6, 9), 7.0 / 8);
 }
 
