@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kRound = 64;
 // Memory that is kept free for the growth of tables within a round, stacks and the allocator's pools (at most a
 // sixteenth of the whole).
-constexpr std::uint64_t kMargin = 5u << 20;
+constexpr std::uint64_t kMargin = 6u << 20;
 constexpr std::uint64_t kShareOfMargin = 24;  // a further 1/24 of --memory is kept free
 constexpr double kShareOfBudget = 0.35;       // share of the pass's budget, where no limit for the process is given
 

@@ -2,8 +2,9 @@
 #include "engine/products/streets/street_kerbs.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
-#include <cstdlib>
+#include <cstddef>
 
 #include "engine/products/streets/kerbs/kerb_lines.h"
 #include "engine/products/streets/kerbs/step_fit.h"
@@ -36,12 +37,7 @@ class KerbFinder {
                             std::sqrt(params.points_of_window / (kPi * std::max(1e-3, density.median)))});
     reach_ = static_cast<std::uint32_t>(std::ceil(fit_.radius / pixel)) + 1;
     halo_ = 2 * reach_;
-    // A pixel `v` rows away has at least v - 1 pixels between it and the place.
-    for (std::uint32_t v = 0; v <= reach_; ++v) {
-      const double apart = std::max(0.0, v - 1.0) * pixel;
-      const double chord = std::sqrt(std::max(0.0, fit_.radius * fit_.radius - apart * apart));
-      chords_.push_back(std::min(reach_, static_cast<std::uint32_t>(std::ceil(chord / pixel)) + 1));
-    }
+    for (std::uint32_t v = 0; v <= 2 * reach_; ++v) chords_.push_back(chord(v, pixel));
     places_.resize(raster_.grid.count());
   }
 
@@ -115,19 +111,27 @@ class KerbFinder {
     return window;
   }
 
+  // The most pixels on each side of a place that are within the radius in row v, of those from reach_ rows above it on.
+  // A pixel n rows away has at least n - 1 pixels between it and the place.
+  std::ptrdiff_t chord(std::uint32_t v, double pixel) const {
+    const double rows = v < reach_ ? reach_ - v : v - reach_, apart = std::max(0.0, rows - 1) * pixel;
+    const double half = std::sqrt(std::max(0.0, fit_.radius * fit_.radius - apart * apart));
+    return std::min(std::ptrdiff_t{reach_}, static_cast<std::ptrdiff_t>(std::ceil(half / pixel)) + 1);
+  }
+
   // The mean points of the pixels within the radius of a place (metres from the corner of the window), relative to it.
+  // The window reaches so far beyond the tile that all of them are in it, also where the place has moved by a cell.
   // `room` is memory for them. Their heights are counted from that of the first one, which `base` gets.
   std::span<const GroundPoint> collect(const Window& window, double x, double y, std::vector<GroundPoint>& room,
                                        double& base) const {
     const double pixel = raster_.scale.pixel;
-    const auto column = static_cast<std::int64_t>(x / pixel), row = static_cast<std::int64_t>(y / pixel);
-    const auto r = std::int64_t{reach_}, last = std::int64_t{window.side} - 1;
+    const auto column = static_cast<std::size_t>(x / pixel), row = static_cast<std::size_t>(y / pixel);
+    assert(row >= reach_ && row + reach_ < window.side && column >= reach_ && column + reach_ < window.side);
+    const std::uint32_t* of_row = window.first.data() + (row - reach_) * window.side + column;
     std::size_t count = 0;
-    for (std::int64_t v = std::max<std::int64_t>(0, row - r); v <= std::min(last, row + r); ++v) {
-      const auto chord = std::int64_t{chords_[static_cast<std::size_t>(std::abs(v - row))]};
-      const std::int64_t from = std::max<std::int64_t>(0, column - chord), to = std::min(last, column + chord);
-      const std::uint32_t* const of_row = window.first.data() + v * window.side;
-      const std::uint32_t first = of_row[from], end = of_row[to + 1];
+    for (const std::ptrdiff_t chord : chords_) {
+      const std::uint32_t first = of_row[-chord], end = of_row[chord + 1];
+      of_row += window.side;
       if (room.size() < count + (end - first)) room.resize(2 * (count + (end - first)));
       for (std::uint32_t i = first; i < end; ++i) {  // without branches, which would be mispredicted
         const GroundPoint& mean = window.mean[i];
@@ -201,7 +205,7 @@ class KerbFinder {
   const PassContext& context_;
   StepFitParams fit_;
   std::uint32_t factor_ = 1, reach_ = 1, halo_ = 1;  // pixels
-  std::vector<std::uint32_t> chords_;                // pixels; half of the window, by the distance in rows
+  std::vector<std::ptrdiff_t> chords_;               // pixels, by row of a window
   std::vector<std::vector<StepPoint>> places_;       // by tile
 };
 

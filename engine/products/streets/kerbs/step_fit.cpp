@@ -7,15 +7,14 @@
 #include <vector>
 
 #include "kernels/core/portable_math.h"
+#include "kernels/planes/step_gains.h"
 
 namespace ilot {
 namespace {
 
-constexpr std::size_t kAtOnce = 4;                           // directions that are tried at once
-constexpr std::size_t kDirections = 16;                      // over half a turn
-constexpr std::array<double, kAtOnce> kTurns{-6, -3, 3, 6};  // degrees, from the best of them
-constexpr int kBins = 32;                                    // across the window
-// Derived: points of the face of a kerb are this near to the edge (the width of two bins), where they would tilt
+constexpr std::size_t kDirections = kStepDirections;   // over half a turn
+constexpr std::array<double, 4> kTurns{-6, -3, 3, 6};  // degrees, from the best of them
+// Derived: points of the face of a kerb are this near to the edge (the width of two strips), where they would tilt
 // planes.
 constexpr double kFaceShare = 8;         // of the radius
 constexpr std::size_t kLeastOfSide = 6;  // Derived: twice the unknowns of a plane
@@ -39,41 +38,22 @@ struct PlaneSums {
   }
 };
 
-// The inverse of the matrix of a plane's normal equations.
-struct Inverse {
-  double a = 0, b = 0, c = 0, d = 0, e = 0, f = 0;  // rows a b c, b d e, c e f
-  bool known = false;
+// The inverse of the matrix of a plane's normal equations; none where the points are on a line.
+std::optional<PlaneInverse> inverse_of(const PlaneSums& s) {
+  const double p = s.xx * s.yy - s.xy * s.xy, q = s.xy * s.y - s.x * s.yy, r = s.x * s.xy - s.xx * s.y;
+  const double det = s.n * p + s.x * q + s.y * r;
+  // Derived: points on a line make the determinant vanish; the bound is a width of a thousandth of the length.
+  if (!(det > 1e-6 * s.n * (s.xx + s.yy) * (s.xx + s.yy))) return std::nullopt;
+  return PlaneInverse{p / det,
+                      q / det,
+                      r / det,
+                      (s.n * s.yy - s.y * s.y) / det,
+                      (s.x * s.y - s.n * s.xy) / det,
+                      (s.n * s.xx - s.x * s.x) / det};
+}
 
-  explicit Inverse(const PlaneSums& s) {
-    const double p = s.xx * s.yy - s.xy * s.xy, q = s.xy * s.y - s.x * s.yy, r = s.x * s.xy - s.xx * s.y;
-    const double det = s.n * p + s.x * q + s.y * r;
-    // Derived: points on a line make the determinant vanish; the bound is a width of a thousandth of the length.
-    known = det > 1e-6 * s.n * (s.xx + s.yy) * (s.xx + s.yy);
-    if (!known) return;
-    a = p / det, b = q / det, c = r / det;
-    d = (s.n * s.yy - s.y * s.y) / det, e = (s.x * s.y - s.n * s.xy) / det, f = (s.n * s.xx - s.x * s.x) / det;
-  }
-  Vec times(double u, double v, double w) const {
-    return {a * u + b * v + c * w, b * u + d * v + e * w, c * u + e * v + f * w};
-  }
-  // The value of the quadratic form.
-  double form(double u, double v, double w) const {
-    const Vec t = times(u, v, w);
-    return u * t[0] + v * t[1] + w * t[2];
-  }
-};
-
-// Sums over the points on the upper side of a line.
-struct Side {
-  double n = 0, x = 0, y = 0, residual = 0;
-
-  void add(const Side& other) { n += other.n, x += other.x, y += other.y, residual += other.residual; }
-};
-
-// How much less the squares are with a step along the line; the height of the step has the sign of `residual`.
-double gain(const Inverse& inverse, const Side& up) {
-  const double left = up.n - inverse.form(up.n, up.x, up.y);
-  return left > 1e-9 ? up.residual * up.residual / left : 0;
+Vec times(const PlaneInverse& m, double u, double v, double w) {
+  return {m.a * u + m.b * v + m.c * w, m.b * u + m.d * v + m.e * w, m.c * u + m.e * v + m.f * w};
 }
 
 struct Line {
@@ -81,22 +61,17 @@ struct Line {
   double gain = 0;
 };
 
-struct Direction {
-  double ux = 1, uy = 0;
-};
-using Directions = std::array<Direction, kAtOnce>;
-
 // The directions that are tried, each with those near it.
 struct TriedDirections {
-  std::array<Directions, kDirections / kAtOnce> all;
-  std::array<Directions, kDirections> near;
+  std::array<StepDirection, kDirections> all;
+  std::array<std::array<StepDirection, kTurns.size()>, kDirections> near;
 
   TriedDirections() {
-    const auto towards = [](double degrees) { return Direction{cos_degrees(degrees), cos_degrees(degrees - 90)}; };
+    const auto towards = [](double degrees) { return StepDirection{cos_degrees(degrees), cos_degrees(degrees - 90)}; };
     for (std::size_t k = 0; k < kDirections; ++k) {
       const double degrees = 180.0 * static_cast<double>(k) / kDirections;
-      all[k / kAtOnce][k % kAtOnce] = towards(degrees);
-      for (std::size_t t = 0; t < kAtOnce; ++t) near[k][t] = towards(degrees + kTurns[t]);
+      all[k] = towards(degrees);
+      for (std::size_t t = 0; t < kTurns.size(); ++t) near[k][t] = towards(degrees + kTurns[t]);
     }
   }
 };
@@ -109,74 +84,46 @@ class StepFinder {
     if (points_.size() < 2 * kLeastOfSide) return std::nullopt;
     PlaneSums all;
     for (const GroundPoint& p : points_) all.add(p);
-    const Inverse inverse(all);
-    if (!inverse.known) return std::nullopt;
-    const Vec plane = inverse.times(all.z, all.xz, all.yz);
-    residuals_.resize(points_.size());
+    const std::optional<PlaneInverse> inverse = inverse_of(all);
+    if (!inverse) return std::nullopt;
+    const Vec plane = times(*inverse, all.z, all.xz, all.yz);
+    columns_.resize(3 * points_.size());
+    const auto column = [&](std::size_t k) { return std::span(columns_).subspan(k * points_.size(), points_.size()); };
+    const std::span<double> x = column(0), y = column(1), residuals = column(2);
     double squares = 0;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      residuals_[i] = points_[i].z - plane[0] - plane[1] * points_[i].x - plane[2] * points_[i].y;
-      squares += residuals_[i] * residuals_[i];
+      x[i] = points_[i].x, y[i] = points_[i].y;
+      residuals[i] = points_[i].z - plane[0] - plane[1] * points_[i].x - plane[2] * points_[i].y;
+      squares += residuals[i] * residuals[i];
     }
     // Derived: points on both sides of a step of `lowest` have half of it as their least deviation from one plane, of
     // which a tilt takes away three quarters of the squares at most.
     if (squares < 0.0625 * params_.lowest * params_.lowest * static_cast<double>(points_.size())) return std::nullopt;
     static const TriedDirections tried;
+    const StepWindow window{x, y, residuals, params_.radius, *inverse, kLeastOfSide};
     Line best;
-    std::size_t nearest = 0;
-    for (std::size_t k = 0; k < tried.all.size(); ++k)
-      if (const auto better = try_directions(tried.all[k], inverse, best)) nearest = k * kAtOnce + *better;
-    try_directions(tried.near[nearest], inverse, best);
+    const std::size_t nearest = try_directions(window, tried.all, best).value_or(0);
+    try_directions(window, tried.near[nearest], best);
     if (best.gain == 0) return std::nullopt;
     return of_line(best);
   }
 
  private:
-  using Bins = std::array<Side, kBins>;
-
-  // The sums over the points of each bin across each direction. Points come in rows, so that one after the other is in
-  // the same bin and waits for its sums; of several directions at once the others do not wait.
-  std::array<Bins, kAtOnce> bins_across(const Directions& directions) const {
-    std::array<Bins, kAtOnce> bins{};
-    const double per = kBins / (2 * params_.radius);
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const GroundPoint& p = points_[i];
-      const Side own{1, p.x, p.y, residuals_[i]};
-      for (std::size_t k = 0; k < kAtOnce; ++k) {
-        const double t = p.x * directions[k].ux + p.y * directions[k].uy;
-        const int bin = std::clamp(static_cast<int>((t + params_.radius) * per), 0, kBins - 1);
-        bins[k][static_cast<std::size_t>(bin)].add(own);
-      }
-    }
-    return bins;
-  }
-
   // Returns the last of these directions across which a line is better than the best one.
-  std::optional<std::size_t> try_directions(const Directions& directions, const Inverse& inverse, Line& best) const {
-    const std::array<Bins, kAtOnce> bins = bins_across(directions);
+  std::optional<std::size_t> try_directions(const StepWindow& window, std::span<const StepDirection> directions,
+                                            Line& best) const {
+    StepGains gains;
+    step_gains(window, directions, gains);
+    const double per = kStepStrips / (2 * params_.radius);
     std::optional<std::size_t> better;
-    for (std::size_t k = 0; k < kAtOnce; ++k)
-      if (try_lines(directions[k], bins[k], inverse, best)) better = k;
-    return better;
-  }
-
-  // Returns whether a line between two bins across the direction is better than the best one.
-  bool try_lines(Direction d, const Bins& bins, const Inverse& inverse, Line& best) const {
-    const double per = kBins / (2 * params_.radius);
-    Side up;
-    bool better = false;
-    const auto all = static_cast<double>(points_.size());
-    for (int b = kBins - 1; b > 0; --b) {
-      const Side& bin = bins[static_cast<std::size_t>(b)];
-      if (bin.n == 0) continue;  // the same sides as at the edge before
-      up.add(bin);
-      if (up.n < kLeastOfSide || all - up.n < kLeastOfSide) continue;
-      const double g = gain(inverse, up);
-      if (g <= best.gain * (1 + 1e-9)) continue;
-      const double sign = up.residual > 0 ? 1 : -1, t = b / per - params_.radius;
-      best = {sign * d.ux, sign * d.uy, sign * t, g};
-      better = true;
-    }
+    for (std::size_t k = 0; k < directions.size(); ++k)
+      for (std::size_t b = kStepStrips - 1; b > 0; --b) {
+        const std::size_t i = k * kStepStrips + b;
+        if (gains.gain[i] <= best.gain * (1 + 1e-9)) continue;
+        const double sign = gains.residual[i] > 0 ? 1 : -1, t = static_cast<double>(b) / per - params_.radius;
+        best = {sign * directions[k].x, sign * directions[k].y, sign * t, gains.gain[i]};
+        better = k;
+      }
     return better;
   }
 
@@ -197,9 +144,9 @@ class StepFinder {
       }
     }
     if (low.n < kLeastOfSide || up.n < kLeastOfSide || far_low < 3 || far_up < 3) return std::nullopt;
-    const Inverse low_inverse(low), up_inverse(up);
-    if (!low_inverse.known || !up_inverse.known) return std::nullopt;
-    const Vec a = low_inverse.times(low.z, low.xz, low.yz), b = up_inverse.times(up.z, up.xz, up.yz);
+    const std::optional<PlaneInverse> low_inverse = inverse_of(low), up_inverse = inverse_of(up);
+    if (!low_inverse || !up_inverse) return std::nullopt;
+    const Vec a = times(*low_inverse, low.z, low.xz, low.yz), b = times(*up_inverse, up.z, up.xz, up.yz);
     if (std::hypot(a[1], a[2]) > kSteepest || std::hypot(b[1], b[2]) > kSteepest ||
         std::hypot(a[1] - b[1], a[2] - b[2]) > kMostBend)
       return std::nullopt;
@@ -231,7 +178,7 @@ class StepFinder {
 
   std::span<const GroundPoint> points_;
   const StepFitParams& params_;
-  std::vector<double> residuals_;
+  std::vector<double> columns_;  // x, y and residuals of the points
 };
 
 }  // namespace
