@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 
 #include "kernels/geometry/closest.h"
 #include "kernels/outlines/ear_clipping.h"
@@ -11,9 +12,10 @@
 namespace ilot {
 namespace {
 
-constexpr double kBin = 0.25;         // metres
-constexpr double kMicrometres = 1e6;  // micrometres in a metre
-constexpr double kDigits = 1e5;       // figures are rounded to hundredths of a millimetre
+constexpr double kBin = 0.25;                    // metres
+constexpr double kMicrometres = 1e6;             // micrometres in a metre
+constexpr std::uint64_t kBytesOfTriangle = 300;  // with Embree's tree; a facade of few takes 10 KB
+constexpr double kDigits = 1e5;                  // figures are rounded to hundredths of a millimetre
 constexpr std::uint32_t kNames = static_cast<std::uint32_t>(kFaceNames.size());
 
 std::uint32_t key_of(std::uint32_t element, FaceName name) {
@@ -113,16 +115,41 @@ void FacadeProof::sort_edges() {
   const double most = std::sqrt(kMostBins);
   columns_ = static_cast<std::int64_t>(std::min((u1 - u0_) / kBin, most)) + 1;
   rows_ = static_cast<std::int64_t>(std::min((v1 - v0_) / kBin, most)) + 1;
-  bins_.resize(static_cast<std::size_t>(columns_ * rows_));
-  const double reach = params_.edge_reach_m;
-  for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-    const auto& [a, b] = std::pair{edges_[i].a, edges_[i].b};
-    const auto columns = static_cast<std::size_t>(columns_);
-    const std::size_t low = bin_of(std::min(a.x, b.x) - reach, std::min(a.y, b.y) - reach);
-    const std::size_t high = bin_of(std::max(a.x, b.x) + reach, std::max(a.y, b.y) + reach);
-    for (std::size_t r = low / columns; r <= high / columns; ++r)
-      for (std::size_t c = low % columns; c <= high % columns; ++c) bins_[r * columns + c].push_back(i);
-  }
+  first_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
+  for (const Edge& e : edges_) for_bins_near(e, [&](std::size_t bin) { ++first_[bin + 1]; });
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  near_.resize(first_.back());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (std::uint32_t i = 0; i < edges_.size(); ++i)
+    for_bins_near(edges_[i], [&](std::size_t bin) { near_[next[bin]++] = i; });
+}
+
+// Calls take(bin) for the bins with points within reach of an edge, and perhaps a few more: the last bins of rows and
+// columns may hold all that is beyond, where there are too many for the size of a wall.
+template <class Take>
+void FacadeProof::for_bins_near(const Edge& e, const Take& take) const {
+  const double reach = params_.edge_reach_m, half = kBin / 2 + reach;
+  const auto columns = static_cast<std::size_t>(columns_);
+  const std::size_t low = bin_of(std::min(e.a.x, e.b.x) - reach, std::min(e.a.y, e.b.y) - reach);
+  const std::size_t high = bin_of(std::max(e.a.x, e.b.x) + reach, std::max(e.a.y, e.b.y) + reach);
+  const double nx = e.a.y - e.b.y, ny = e.b.x - e.a.x;  // across the edge
+  const double widest = half * (std::abs(nx) + std::abs(ny)) * (1 + 1e-9) + 1e-9;
+  for (std::size_t r = low / columns; r <= high / columns; ++r)
+    for (std::size_t c = low % columns; c <= high % columns; ++c) {
+      const double u = u0_ + (static_cast<double>(c) + 0.5) * kBin, v = v0_ + (static_cast<double>(r) + 0.5) * kBin;
+      const bool last = c + 1 == columns || r + 1 == static_cast<std::size_t>(rows_);
+      if (last || std::abs(nx * (u - e.a.x) + ny * (v - e.a.y)) <= widest) take(r * columns + c);
+    }
+}
+
+std::span<const std::uint32_t> FacadeProof::edges_near(Vec3 p) const {
+  const std::size_t bin = bin_of(p.x, p.y);
+  return std::span(near_).subspan(first_[bin], first_[bin + 1] - first_[bin]);
+}
+
+std::uint64_t FacadeProof::bytes() const {
+  return (first_.size() + near_.size()) * sizeof(std::uint32_t) + edges_.size() * sizeof(Edge) +
+         face_of_.size() * kBytesOfTriangle;
 }
 
 ProofTally FacadeProof::no_points() const {
@@ -134,7 +161,7 @@ ProofTally FacadeProof::no_points() const {
 
 void FacadeProof::add_to_edges(Vec3 p, std::uint64_t squares, std::uint32_t element, ProofTally& tally) const {
   const double reach2 = params_.edge_reach_m * params_.edge_reach_m;
-  for (const std::uint32_t i : bins_[bin_of(p.x, p.y)]) {
+  for (const std::uint32_t i : edges_near(p)) {
     const Edge& e = edges_[i];
     if (element != wall_.element && element != e.element && !e.outline) continue;
     const Vec3 foot = closest_on_segment(p, e.a, e.b), gap = p - foot;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares each edge and face of a facade's plan with the measured points.
 #pragma once
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "engine/proof/facade_surfaces.h"
 #include "engine/visibility/closest_point.h"
@@ -36,6 +38,9 @@ class FacadeProof {
 
   ProofTally no_points() const;
 
+  // About the memory that this takes.
+  std::uint64_t bytes() const;
+
   // Adds points in metres, in the axes of the facade.
   void add(std::span<const Vec3> points, ProofTally& tally) const;
 
@@ -52,6 +57,9 @@ class FacadeProof {
   };
   void add_edges(const Facade& facade);
   void sort_edges();
+  template <class Take>
+  void for_bins_near(const Edge& e, const Take& take) const;
+  std::span<const std::uint32_t> edges_near(Vec3 p) const;
   void add_to_edges(Vec3 p, std::uint64_t squares, std::uint32_t element, ProofTally& tally) const;
   std::size_t bin_of(double u, double v) const;
 
@@ -63,7 +71,7 @@ class FacadeProof {
   std::vector<Edge> edges_;
   double u0_ = 0, v0_ = 0;
   std::int64_t columns_ = 0, rows_ = 0;
-  std::vector<std::vector<std::uint32_t>> bins_;  // per bin the edges near it
+  std::vector<std::uint32_t> first_, near_;  // the edges near bin b: [first_[b], first_[b + 1]) of near_
 };
 
 }  // namespace ilot

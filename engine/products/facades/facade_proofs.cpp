@@ -97,23 +97,34 @@ void for_each_obstacle(std::span<const FoundFacade> found, std::span<const Outli
     }
 }
 
-void count_points(const FacadeWork& work, std::span<const WallGroup> walls, std::vector<FoundFacade>& found,
-                  const PassContext& context) {
-  std::vector<FacadeProof> proofs;
-  std::vector<ProofTally> tallies;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    proofs.emplace_back(found[i].facade, proof_params(walls[i], work.metres_per_unit));
-    tallies.push_back(proofs.back().no_points());
-  }
+// Counts the points of some facades; `proofs`: theirs.
+void count_points_of(const FacadeWork& work, std::span<const WallGroup> walls, std::span<FoundFacade> found,
+                     std::span<const FacadeProof> proofs, const PassContext& context) {
   const std::vector<Strip> strips = strips_of(found, walls, work.beside);
-  std::vector<ProofTally> parts(strips.size());
+  std::vector<ProofTally> parts(strips.size()), tallies;
   const std::vector<PassTask> tasks(strips.size(), PassTask{kStripBytes, 0});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const Strip& strip = strips[i];
     parts[i] = tally_of(work, walls[strip.facade], strip, found[strip.facade].facade, proofs[strip.facade]);
   });
+  for (const FacadeProof& proof : proofs) tallies.push_back(proof.no_points());
   for (std::size_t i = 0; i < strips.size(); ++i) tallies[strips[i].facade].add(parts[i]);
   for (std::size_t i = 0; i < found.size(); ++i) proofs[i].write(tallies[i], found[i].facade);
+}
+
+// As many facades at once as a share of the budget holds the proofs of.
+void count_points(const FacadeWork& work, std::span<const WallGroup> walls, std::span<FoundFacade> found,
+                  const PassContext& context) {
+  for (std::size_t first = 0; first < found.size();) {
+    std::vector<FacadeProof> proofs;
+    std::uint64_t bytes = 0;
+    for (std::size_t i = first; i < found.size() && (proofs.empty() || bytes < context.budget_bytes / 8); ++i) {
+      proofs.emplace_back(found[i].facade, proof_params(walls[i], work.metres_per_unit));
+      bytes += proofs.back().bytes();
+    }
+    count_points_of(work, walls.subspan(first, proofs.size()), found.subspan(first, proofs.size()), proofs, context);
+    first += proofs.size();
+  }
 }
 
 // The sides of an element: its edges, but the chords of a head between the two jambs are one side.
