@@ -9,7 +9,8 @@ constexpr std::size_t kSums = 4;
 // The sums of a strip: a vector of the compiler's, in two registers where four doubles do not fit into one.
 typedef double Sums __attribute__((vector_size(kSums * sizeof(double)), aligned(alignof(double)), may_alias));
 
-// Derived: a window whose points beyond the line are fitted without a step to the last digits.
+// Derived: far above the rounding of sums over hundreds of points. Less is left of n only where the points beyond the
+// line lie so that a tilt of the plane does the same as a step.
 constexpr double kLeastLeft = 1e-9;
 
 inline void add_to_strips(const StepGainsArgs& a) {
