@@ -58,8 +58,10 @@ GroundParams ground_params(const StreetsSettings& s, const RasterScale& scale) {
 ObjectCandidateParams candidate_params(const StreetsSettings& s, const RasterScale& scale, StreetView view,
                                        double mean_accumulation) {
   ObjectCandidateParams params;
-  const double pixels = view == StreetView::air ? kPixelsFromAir : 1;
-  params.separation.least_area = std::max(s.least_area, pixels * scale.pixel * scale.pixel);
+  const double pixel = scale.pixel * scale.pixel;
+  const double least = view == StreetView::air ? std::max(s.least_area, kPixelsFromAir * pixel) : pixel;
+  params.separation.least_area = least;
+  params.separation.least_top = std::max(s.least_area, least);
   params.separation.rise = s.rise;
   params.columns_apart = view == StreetView::street;
   params.mean_accumulation = mean_accumulation;

@@ -55,6 +55,17 @@ void set_passes(const Joins& joins, std::size_t parts, std::vector<ObjectCandida
   }
 }
 
+// Whether a component is smaller than a top and has too few points for an object.
+bool is_speck(const ComponentImages& images, const RasterScale& scale, const ObjectCandidateParams& params) {
+  std::uint64_t pixels = 0, points = 0;
+  for (std::size_t i = 0; i < images.own.size(); ++i) {
+    if (images.own.values[i] == kNoHeight) continue;
+    ++pixels;
+    points += static_cast<std::uint64_t>(std::max(0, images.patch.above.values[i]));
+  }
+  return pixels < scale.area(params.separation.least_top) && points < params.least_points;
+}
+
 std::vector<Occupancy> occupancy_of(const ComponentImages& images) {
   std::vector<Occupancy> out(images.own.size(), 0);
   for (std::size_t i = 0; i < out.size(); ++i)
@@ -73,10 +84,12 @@ ComponentCandidates candidates_of_component(const Patch& patch, std::uint32_t co
   ComponentImages images{patch, patch.height, {}};
   for (std::size_t i = 0; i < images.own.size(); ++i)
     if (static_cast<std::uint32_t>(patch.components.values[i]) != component) images.own.values[i] = kNoHeight;
+  if (is_speck(images, scale, params))
+    return {{patch.height.width, patch.height.height, 0, std::vector<std::uint32_t>(patch.height.size(), 0)}, {}};
   images.slope = gradient(images.own, Adjacency::eight);
   const std::vector<Occupancy> occupancy = occupancy_of(images);
   ComponentCandidates out{separate_artefacts(images.own, scale, params.separation), {}};
-  const std::uint32_t least = scale.area(params.separation.least_area);
+  const std::uint32_t least = scale.area(params.separation.least_top);
   std::vector<ColumnCut> cuts;
   if (params.columns_apart)
     cuts = cut_columns(columns_of(occupancy, out.labels.width, out.labels.height, scale, params.columns), least,

@@ -109,12 +109,13 @@ struct ColumnParams {
 struct ObjectCandidateParams {
   SeparationParams separation;
   ColumnParams columns;
-  bool columns_apart = true;     // whether columns are cut out; from the air the sides of things are hardly seen
-  double largest = 40;           // square metres; no join is larger
-  double nearest_apart = 0.2;    // metres; parts with a narrower gap between them may be one object
-  double low_height = 2;         // metres above the ground
-  double seen_within = 0.25;     // metres; pixels farther from every point were filled in and are left out
-  double mean_accumulation = 1;  // mean points of a ground pixel that has any; accumulations are multiples of it
+  bool columns_apart = true;       // whether columns are cut out; from the air the sides of things are hardly seen
+  std::uint64_t least_points = 3;  // above the ground, of a component that is smaller than a top
+  double largest = 40;             // square metres; no join is larger
+  double nearest_apart = 0.2;      // metres; parts with a narrower gap between them may be one object
+  double low_height = 2;           // metres above the ground
+  double seen_within = 0.25;       // metres; pixels farther from every point were filled in and are left out
+  double mean_accumulation = 1;    // mean points of a ground pixel that has any; accumulations are multiples of it
 };
 
 // Separates objects that touch [Hernandez and Marcotegui 2008, 5.1] and describes them [Hernandez and Marcotegui 2008,

@@ -53,5 +53,23 @@ TEST(Separation, SpecksAreDropped) {
   EXPECT_EQ(separate_artefacts(nothing(), {}).count, 0u);
 }
 
+TEST(Separation, SmallArtefactsAreWhole) {
+  Image height = nothing();
+  add_box(height, {20, 20, 12, 10}, 1400);
+  height.values[std::size_t{25} * height.width + 25] = 1900;  // a small peak is no top of its own
+  add_box(height, {60, 20, 2, 1}, 1000);                      // a bollard
+  height.values[std::size_t{20} * height.width + 61] = 300;   // its rim
+  add_box(height, {80, 20, 1, 1}, 1000);
+  SeparationParams params;
+  params.least_area = 0.005;  // two pixels
+  const PixelLabels got = separate_artefacts(height, {}, params);
+  EXPECT_EQ(got.count, 2u);
+  EXPECT_EQ(label_at(got, 25, 25), label_at(got, 20, 20));
+  EXPECT_NE(label_at(got, 60, 20), 0u);
+  EXPECT_EQ(label_at(got, 60, 20), label_at(got, 61, 20));
+  EXPECT_NE(label_at(got, 60, 20), label_at(got, 20, 20));
+  EXPECT_EQ(label_at(got, 80, 20), 0u);
+}
+
 }  // namespace
 }  // namespace ilot
