@@ -189,7 +189,7 @@ Parameters streets_parameters() {
       make("streets.least_height", ILOT_FIELD(streets.least_height), {0.01, 10}, "m",
            "what is lower is part of the ground"),
       make("streets.least_area", ILOT_FIELD(streets.least_area), {0, 100}, "m2",
-           "smaller objects on the ground are dropped"),
+           "smaller peaks are no objects of their own; from the air smaller objects are dropped"),
       make("streets.rise", ILOT_FIELD(streets.rise), {0, 10}, "m",
            "what rises so far above the pass to a higher object is an object of its own"),
       make("streets.trust_classes", ILOT_FIELD(streets.trust_classes), {}, "",

@@ -113,7 +113,7 @@ struct StreetsSettings {
   double longest_gap = 0.5;     // metres; gaps between scan lines are closed up to it
   double longest_link = 10;     // metres; shadows on the ground are crossed up to it
   double least_height = 0.1;    // metres; lower things are part of the ground
-  double least_area = 0.0125;   // m2; smaller things are dropped
+  double least_area = 0.0125;   // m2; smaller peaks are no things of their own
   double rise = 0.05;           // metres; what stands so much above the pass to a higher thing is a thing of its own
   bool trust_classes = true;    // objects whose points have class codes of vegetation are vegetation
   AdvancedStreets advanced;

@@ -63,6 +63,7 @@ ObjectCandidateParams candidate_params(const StreetsSettings& s, const RasterSca
   params.separation.least_area = least;
   params.separation.least_top = std::max(s.least_area, least);
   params.separation.rise = s.rise;
+  params.least_points = kLeastPoints;
   params.columns_apart = view == StreetView::street;
   params.mean_accumulation = mean_accumulation;
   return params;
