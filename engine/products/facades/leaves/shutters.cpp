@@ -24,9 +24,7 @@ constexpr double kLeastBetweenLeaves = 1, kMostBetweenLeaves = 4;  // widths of 
 constexpr double kMostRelief = 0.5;  // share of a window between open leaves before which something stands
 // Choice: lower plates without any opening beside them may be quoins, signs and panels.
 constexpr double kLeastAlone = 0.8;  // metres, height
-// Choice: the widest casements; what lies across a front, as signs and panels below windows do, is wider or lower.
-constexpr double kLeastHigh = 0.5;  // times its width: the height of a plate without any opening beside it
-// Choice: two alike are a pair of boards; three are a row of windows, and so are two in columns of openings.
+// Choice: two alike are a pair of boards; three are a row of windows.
 constexpr std::size_t kFewestAlone = 3;
 // Choice: a lintel and a sill; quoins and panels follow each other closer.
 constexpr double kLeastBetween = 0.3;  // metres between windows of one column
@@ -120,14 +118,6 @@ class LeafJudge {
     return ratio < kWidthOfRow && ratio > 1 / kWidthOfRow && same_heights(plate, o);
   }
 
-  // Whether a plate lies above or below the middle of an opening and is not much wider or narrower.
-  bool is_centred_on(const FlatPlate& plate, const FoundRectangle& o) const {
-    const Box2 p = plate.shape.box(), b = o.box();
-    const double ratio = p.width() / b.width();
-    return ratio < kWidthOfRow && ratio > 1 / kWidthOfRow &&
-           std::abs(p.u0 + p.u1 - b.u0 - b.u1) / 2 <= near(plate.shape, o, Side::left);
-  }
-
   bool are_alike(const FlatPlate& a, const FlatPlate& b) const {
     if (are_in_row(a, b))
       return std::abs(a.shape.box().width() - b.shape.box().width()) <= near(a.shape, b.shape, Side::left);
@@ -165,7 +155,7 @@ class LeafJudge {
 // Whether a plate that is like no opening may be closed leaves together with others.
 bool stands_alone(const std::vector<FlatPlate>& plates, const std::vector<FoundRectangle>& openings, std::size_t i) {
   const Box2 p = plates[i].shape.box();
-  if (p.height() < kLeastAlone || p.height() < kLeastHigh * p.width()) return false;
+  if (p.height() < kLeastAlone || p.height() < p.width()) return false;
   if (std::count_if(kSides.begin(), kSides.end(), [&](Side s) { return plates[i].ends_at(s); }) < 3) return false;
   const auto is_close = [&](const FoundRectangle& o) {
     const Box2 b = o.box();
@@ -280,10 +270,8 @@ ClosedPlates closed_plates(const std::vector<FlatPlate>& plates, const std::vect
   }
   for (const std::size_t i : alone) {
     std::size_t alike = 1;
-    for (const std::size_t k : free) alike += k != i && judge.are_alike(plates[i], plates[k]);
-    const bool in_column = std::any_of(openings.begin(), openings.end(),
-                                       [&](const FoundRectangle& o) { return judge.is_centred_on(plates[i], o); });
-    found.closed[i] = alike + in_column >= kFewestAlone;
+    for (const std::size_t k : alone) alike += k != i && judge.are_alike(plates[i], plates[k]);
+    found.closed[i] = alike >= kFewestAlone;
   }
   for (bool more = true; more;) {
     more = false;

@@ -386,7 +386,7 @@ std::vector<FoundRectangle> find_openings(const RaySamples& samples, const Openi
                   opening_in(samples, part.at_pier ? seen : cells, part.region, silent, through, params))
             found.push_back(*opening);
       });
-  add_all_shallow_openings(find_shallow_openings(samples, seen, params), found);
+  add_shallow_openings(find_shallow_openings(samples, seen, params), found);
   const std::size_t proven = found.size();
   for (const WallHole& hole : open)
     if (const std::optional<FoundRectangle> pane = pane_in_hole(samples, seen, hole, through, params))

@@ -38,16 +38,9 @@ constexpr double kScatterOfMedian = 1.4826;    // Derived: standard deviation ov
 constexpr double kScatterBefore = 3;  // Derived: all but one point in 700; times the scatter: wall before its middle
 // Choice: where the wall bows more than its form follows, a pane is connected with the wall at a small step; so larger
 // ones are tried too, each half as large again.
-constexpr double kNextStep = 1.5;  // times the step before
-constexpr double kSameBox = 0.9;   // Choice: a cell at the sides of a window; share that two boxes of one region have
-// Derived: two materials are measured 2 mm too near or too far each, and 95 % of their differences are within 5.5 mm;
-// half as much again for how a wall bows. Single places prove no step below kLeastStep, but leaves that are closed in
-// the plane of the wall have the heights of other windows.
-constexpr double kWeakStep = 0.008;  // metres: the step of a pane that needs another opening like it
-// Choice: as `alike` of the leaves, with the hinges.
-constexpr double kAlikeSides = 0.06;  // metres between sides that are meant to be equal
-constexpr double kWidthOfRow = 1.5;   // Choice: as in shutters.cpp; times the width of another opening of its row
-constexpr double kPieceShare = 0.6;   // Choice: more than half, with the errors of both; share of a piece
+constexpr double kNextStep = 1.5;    // times the step before
+constexpr double kSameBox = 0.9;     // Choice: a cell at the sides of a window; share that two boxes of one region have
+constexpr double kPieceShare = 0.6;  // Choice: more than half, with the errors of both; share of a piece
 
 using enum WallCells::What;
 
@@ -129,7 +122,7 @@ std::optional<Step> step_at_pane(const RaySamples& samples, const TrendSurface& 
   step.noise = scatter_of(wall, step.wall);
   step.depth = step.wall - upper_median(pane);
   const double cell = std::min(1.0, kStepsACell * samples.site().step / kWidestMean);
-  if (step.depth < std::max(kWeakStep, kStepOfNoise * step.noise * cell)) return std::nullopt;
+  if (step.depth < std::max(kLeastStep, kStepOfNoise * step.noise * cell)) return std::nullopt;
   return step;
 }
 
@@ -230,10 +223,11 @@ std::optional<FoundRectangle> opening_at(const RaySamples& about, const WallCell
   return opening;
 }
 
-// The opening about a marked box that lies behind the wall by a step.
+// The opening about a marked box.
 std::optional<FoundRectangle> shallow_opening(const RaySamples& samples, const TrendSurface& form, const Box2& box,
-                                              const std::optional<Step>& step, const WallCells& whole,
+                                              double least, const std::vector<Box2>& panes, const WallCells& whole,
                                               const OpeningParams& params) {
+  const std::optional<Step> step = step_at_pane(samples, form, box, least, panes);
   if (!step) return std::nullopt;
   const LocalWall local = local_wall(samples, form, box, *step, params);
   const RaySamples about(local.site);
@@ -274,14 +268,15 @@ std::vector<Box2> boxes_behind(const WallMeans& means, const WallCells& cells, d
 
 }  // namespace
 
-ShallowOpenings find_shallow_openings(const RaySamples& samples, const WallCells& cells, const OpeningParams& params) {
+std::vector<FoundRectangle> find_shallow_openings(const RaySamples& samples, const WallCells& cells,
+                                                  const OpeningParams& params) {
   const TrendSurface form = trend_surface(samples);
   if (!form.found) return {};
   // Points that stand before the wall (pipes, cables, leaves of plants) show nothing of what they hide.
   const double before = std::max(kLeastStep, kStepOfNoise * form.noise);
   const WallMeans means = means_about_cells(
       samples, form, cells, {-kDeepest, before, -before - kStepOfNoise * form.noise, kStepOfNoise * form.noise});
-  ShallowOpenings found;
+  std::vector<FoundRectangle> found;
   std::vector<Box2> seen;
   for (double step = means.step; step < depth_through(samples.site(), params); step *= kNextStep) {
     const std::vector<Box2> panes = boxes_behind(means, cells, step, params);
@@ -289,12 +284,10 @@ ShallowOpenings find_shallow_openings(const RaySamples& samples, const WallCells
       const double area = area_of(box);
       const auto is_same = [&](const Box2& b) { return common_area(b, box) > kSameBox * std::max(area, area_of(b)); };
       const auto is_in = [&](const FoundRectangle& o) { return common_area(o.box(), box) > kPieceShare * area; };
-      if (std::any_of(seen.begin(), seen.end(), is_same) || std::any_of(found.sure.begin(), found.sure.end(), is_in))
-        continue;
+      if (std::any_of(seen.begin(), seen.end(), is_same) || std::any_of(found.begin(), found.end(), is_in)) continue;
       seen.push_back(box);
-      const std::optional<Step> at_pane = step_at_pane(samples, form, box, step, panes);
-      if (const std::optional<FoundRectangle> opening = shallow_opening(samples, form, box, at_pane, cells, params))
-        (at_pane->depth < kLeastStep ? found.weak : found.sure).push_back(*opening);
+      if (const std::optional<FoundRectangle> opening = shallow_opening(samples, form, box, step, panes, cells, params))
+        found.push_back(*opening);
     }
   }
   return found;
@@ -315,14 +308,6 @@ bool is_part(const FoundRectangle& part, const FoundRectangle& whole) {
   return farther;
 }
 
-// Whether an opening has the heights of another one and about its width, or its sides and its height.
-bool is_like(const FoundRectangle& a, const FoundRectangle& b) {
-  const auto near = [&](Side side) { return std::abs(a.at(side) - b.at(side)) <= kAlikeSides; };
-  const double ratio = a.box().width() / b.box().width();
-  if (near(Side::bottom) && near(Side::top)) return ratio < kWidthOfRow && ratio > 1 / kWidthOfRow;
-  return near(Side::left) && near(Side::right) && std::abs(a.box().height() - b.box().height()) <= kAlikeSides;
-}
-
 }  // namespace
 
 void add_shallow_openings(std::vector<FoundRectangle>&& shallow, std::vector<FoundRectangle>& found) {
@@ -336,15 +321,6 @@ void add_shallow_openings(std::vector<FoundRectangle>&& shallow, std::vector<Fou
                   [&](const FoundRectangle& o) { return common_area(own, o.box()) > kPieceShare * area_of(o.box()); });
     found.push_back(std::move(s));
   }
-}
-
-void add_all_shallow_openings(ShallowOpenings&& shallow, std::vector<FoundRectangle>& found) {
-  add_shallow_openings(std::move(shallow.sure), found);
-  std::vector<FoundRectangle> alike;
-  for (FoundRectangle& w : shallow.weak)
-    if (std::any_of(found.begin(), found.end(), [&](const FoundRectangle& o) { return is_like(w, o); }))
-      alike.push_back(std::move(w));
-  add_shallow_openings(std::move(alike), found);
 }
 
 }  // namespace ilot

@@ -238,19 +238,5 @@ TEST(Shutters, AFrontWithAllLeavesClosed) {
   EXPECT_EQ(drawn(wall, "shutter").size(), 3u);
 }
 
-// Two closed pairs that are wider than high need a third, or windows above or below them.
-TEST(Shutters, FewWideLeavesInColumnsOfWindows) {
-  std::vector<FlatPlate> plates{plate_at(1, 2.2, 4, 5, true, true), plate_at(4, 5.2, 4, 5, true, true)};
-  const auto closed = [&](std::vector<FoundRectangle> openings) {
-    return find_shutters({plates, {}}, 0.04, 0.05, openings).size();
-  };
-  EXPECT_EQ(closed({}), 0u);
-  const FoundRectangle left = plate_at(1.1, 2.1, 1, 2.5, true, true).shape,
-                       right = plate_at(4.1, 5.1, 1, 2.5, true, true).shape;
-  EXPECT_EQ(closed({left, right}), 2u);
-  plates.push_back(plate_at(7, 8.2, 4, 5, true, true));
-  EXPECT_EQ(closed({}), 3u);
-}
-
 }  // namespace
 }  // namespace ilot

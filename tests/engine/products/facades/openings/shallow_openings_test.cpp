@@ -146,19 +146,5 @@ TEST(ShallowOpenings, PiecesGiveWayToTheWholeAndWholesStay) {
   EXPECT_DOUBLE_EQ(found[1].at(Side::top), 2.4);
 }
 
-// Leaves closed 1 cm behind the wall prove nothing alone; they are a window beside one of their heights.
-TEST(ShallowOpenings, LeavesNearlyInThePlaneOfTheWallBesideAWindow) {
-  for (const bool beside : {false, true}) {
-    SCOPED_TRACE(beside);
-    test::ScannedWall wall;
-    const test::Sheet leaves{2, -0.01, 3.2, 4.3, 1.2, 2.8, 0}, window{2, -0.3, 1.2, 2.3, 1.2, 2.8, 0};
-    wall.wall(beside ? std::vector<test::Sheet>{leaves, window} : std::vector<test::Sheet>{leaves});
-    FacadeSite site = test::scan_wall(wall, {2.7, 1.5, 8}, kShallowStep, 999, 0.002);
-    for (FacadePoint& p : site.points) p.plane = 0;
-    site.wall.clear();
-    EXPECT_EQ(find_openings(RaySamples(site)).size(), beside ? 2u : 0u);
-  }
-}
-
 }  // namespace
 }  // namespace ilot
