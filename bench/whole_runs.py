@@ -89,12 +89,16 @@ def serial_share(one, two):
 
 
 def stage_rows(product, runs):
-    one = {s["name"]: s for s in runs["one"][0]["record"]["stages"]}
-    for name, stage in one.items():
-        seconds = statistics.median(next(s["seconds"] for s in r["record"]["stages"] if s["name"] == name) for r in runs["two"])
-        if stage["seconds"] > 0.02 * runs["one"][0]["seconds"]:
-            yield (f"| {product} | {name} | {stage['cpu_seconds'] / runs['millions']:.2f} | "
-                   f"{stage['seconds'] / max(seconds, 1e-3):.2f} | {serial_share(stage['seconds'], seconds):.2f} |")
+    """By stage: processor time and how far two threads worked, and what the second one brings."""
+    def of(run, name):
+        return next(s for s in run["record"]["stages"] if s["name"] == name)
+    for name in (s["name"] for s in runs["one"][0]["record"]["stages"]):
+        seconds = statistics.median(of(r, name)["seconds"] for r in runs["two"])
+        cpu = statistics.median(of(r, name)["cpu_seconds"] for r in runs["two"])
+        one = of(runs["one"][0], name)["seconds"]
+        if seconds > 0.02 * median(runs["two"], "seconds"):
+            yield (f"| {product} | {name} | {cpu / runs['millions']:.2f} | {cpu / (2 * seconds):.2f} | {one / seconds:.2f} | "
+                   f"{serial_share(one, seconds):.2f} |")
 
 
 def main():
@@ -108,7 +112,8 @@ def main():
         print(f"| {product} | {r['millions']:g} | {r['millions'] / seconds:.2f} | {r['one'][0]['seconds'] / seconds:.2f} | "
               f"{median(r['two'], 'cpu') / r['millions']:.2f} | {median(r['two'], 'peak_mib'):.0f} | "
               f"{median(r['two'], 'read') / r['millions'] / 1e6:.0f} | {median(r['two'], 'written') / r['millions'] / 1e6:.0f} |")
-    print("\n| run | stage | processor s a million points, 1 thread | 2 threads against 1 | serial share |\n|---|---|---|---|---|")
+    print("\n| run | stage | processor s a million points, 2 threads | share of both threads' time | 2 threads against 1 | "
+          "serial share |\n|---|---|---|---|---|---|")
     for product, r in found.items():
         print("\n".join(stage_rows(product, r)))
     if options.beside:
