@@ -29,7 +29,7 @@ struct StepWindow {
 };
 
 // For each direction the lines across it that part the strips, kStepStrips values each: value b is of the line between
-// strips b - 1 and b, at b / kStepStrips * 2 radius - radius along the direction. Value 0 is no line and not written.
+// strips b - 1 and b, at b / kStepStrips * 2 radius - radius along the direction. Value 0 is of no line.
 struct StepGains {
   std::array<double, kStepDirections * kStepStrips> gain;      // 0 = a side has too few points, or strip b none
   std::array<double, kStepDirections * kStepStrips> residual;  // sum over strips b and beyond

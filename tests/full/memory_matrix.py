@@ -26,7 +26,7 @@ EXE = os.environ.get("ILOT_EXE", "ilot")
 MOST_ADDRESSES = 6 << 30  # limit for a run that goes wrong: it ends before the machine runs out of memory
 # Cases that may report at 96M that this is too little. docs/limits.md lists them.
 MAY_REFUSE = {"96M": {"thousands_of_records_of_65400_bytes"}}
-LATER = 16 << 20  # memory that the report may take after a run has written its own peak
+LATER = 8 << 20  # memory that a run may take after it has written its own peak
 UNITS = {"M": 1 << 20, "G": 1 << 30}
 
 
