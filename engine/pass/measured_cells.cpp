@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "engine/store/columns.h"
+#include "engine/store/store.h"
 
 namespace ilot {
 namespace {

@@ -257,6 +257,7 @@ std::string report_line(const RunOptions& options, Progress& progress) {
   try {
     remove_report(out);
     if (!options.report) return "";
+    trim_memory();  // what the products have left would be counted beside what the report takes
     write_report(out);
     return "\nopen " + (out / kReportFile).string();
   } catch (const std::exception& fault) {
@@ -293,10 +294,12 @@ int run_in_arena(const RunOptions& given, const TrainObjectModel& learn, Progres
     return 0;
   }
   set_memory_limit(memory_to_fill(options));
-  const KeptColumns kept;
   out->check_space(estimate_run(options, inputs));
   progress.plan(planned_stages(options));
-  make_products(options, inputs, sites, {options.train, learn}, *out, progress, record);
+  {
+    const KeptColumns kept;
+    make_products(options, inputs, sites, {options.train, learn}, *out, progress, record);
+  }
   complete_record(options, progress, start, record);
   out->publish(record);
   out->finish(options.keep_store);
