@@ -96,9 +96,10 @@ CellPixels pixels_of(const HeightBins* bins, std::uint32_t factor, std::uint32_t
     for (std::uint32_t u = 0; u < factor; ++u) {
       const HeightBins b = bins[v * kSide + u];
       out.bins |= b;
+      out.pixels += b != 0;
+      if (b >> kFirstBin == 0) continue;  // most pixels: nothing is upright there
       out.upright += is_upright(b, {kFirstBin, top});
       out.most_bins = std::max<Height>(out.most_bins, std::popcount(b >> kFirstBin));
-      out.pixels += b != 0;
     }
   return out;
 }
