@@ -12,11 +12,12 @@
 // ground below its objects; the roles are not, unless --all-roles is given. With --in-turn, each street is used as it
 // is and in one of these ways in turn. Where there are many streets, the folds of the training keep each of them
 // together. With --stated MODEL, that model learns what probabilities it states from the streets, which it must not
-// have been trained with, and is written again; with --weights it learns the weights of the roles from them too.
+// have been trained with, and is written again; with --weights it learns the weights of the roles from them too. With
+// --later-weights the training leaves these weights to that call, which is half of its work.
 //
 // Usage: study_streets STREET.laz... [--cut H] [--bare H] [--thin N]... [--floor N] [--all-roles] [--in-turn] [--air]
 //        [--cache FOLDER] [--model FILE] [--roles MODEL] [--classes MODEL] [--judge MODEL] [--stated MODEL] [--weights]
-//        [--only-model | --everything | --shipped]
+//        [--later-weights] [--only-model | --everything | --shipped]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,7 +51,7 @@ struct Arguments {
   double cut = 0;
   std::vector<Leaving> others;  // the classes are also learnt from them
   bool evaluate = true, four_classes = true, shipped = false, air = false, all_roles = false, in_turn = false,
-       weights = false;
+       weights = false, later_weights = false;
 };
 
 // Returns for each object that was found the object candidate that overlaps it best, with one of the four classes of
@@ -219,6 +220,7 @@ std::string recipe_of(const Arguments& a, std::size_t samples) {
   for (const Leaving& leaving : a.others) text += leaving.option();
   if (a.in_turn) text += " --in-turn";
   if (a.all_roles) text += " --all-roles";
+  if (a.later_weights) text += " --later-weights";
   if (!a.roles.empty()) text += " --roles " + a.roles.filename().string();
   if (!a.classes.empty()) text += " --classes " + a.classes.filename().string();
   text += " --only-model --model " + a.model.filename().string() + "\n";
@@ -238,7 +240,7 @@ void write_model(const std::vector<Street>& streets, const std::vector<Street>& 
   std::string others_recipe;
   if (a.roles.empty()) {
     ObjectTrainingParams params;
-    params.role_weights = a.classes.empty();
+    params.role_weights = a.classes.empty() && !a.later_weights;
     if (a.clouds.size() >= kManyStreets) params.folds = kFoldsOfMany;
     model = train_roles(a.all_roles ? all : samples_of(streets, {}, a.clouds.size()), params);
   } else {
@@ -301,6 +303,8 @@ Arguments read_arguments(const std::vector<std::string>& words) {
       a.classes = words[++i];
     else if (words[i] == "--weights")
       a.weights = true;
+    else if (words[i] == "--later-weights")
+      a.later_weights = true;
     else if (words[i] == "--judge" && i + 1 < words.size())
       a.judged = words[++i], a.evaluate = false;
     else if (words[i] == "--stated" && i + 1 < words.size())
