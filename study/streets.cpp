@@ -13,7 +13,7 @@
 // is and in one of these ways in turn. Where there are many streets, the folds of the training keep each of them
 // together. With --stated MODEL, that model learns what probabilities it states from the streets, which it must not
 // have been trained with, and is written again; with --weights it learns the weights of the roles from them too. With
-// --later-weights the training leaves these weights to that call, which is half of its work.
+// --later-weights the training leaves these weights to that call; they are nearly half of the work of the trees.
 //
 // Usage: study_streets STREET.laz... [--cut H] [--bare H] [--thin N]... [--floor N] [--all-roles] [--in-turn] [--air]
 //        [--cache FOLDER] [--model FILE] [--roles MODEL] [--classes MODEL] [--judge MODEL] [--stated MODEL] [--weights]
