@@ -26,6 +26,7 @@
 #include <stdexcept>
 
 #include "engine/model/point_label.h"
+#include "engine/pass/resident.h"
 #include "engine/products/streets/objects/object_selection.h"
 #include "engine/whole_file.h"
 #include "kernels/core/parallel.h"
@@ -42,8 +43,8 @@ namespace {
 using namespace ilot;
 namespace fs = std::filesystem;
 
-// Choice: two thirds of many streets teach the first stage nearly what all of them do.
-constexpr std::uint32_t kFoldsOfMany = 3;
+// Choice: half of many streets teach the first stage nearly what all of them do.
+constexpr std::uint32_t kFoldsOfMany = 2;
 
 struct Arguments {
   std::vector<std::string> clouds;
@@ -231,8 +232,12 @@ std::string recipe_of(const Arguments& a, std::size_t samples) {
 
 // The roles of `a.roles`, or those that are learnt from the streets, with --all-roles also from the others; the classes
 // are learnt from all.
-void write_model(const std::vector<Street>& streets, const std::vector<Street>& others, const Arguments& a) {
+void write_model(std::vector<Street> streets, std::vector<Street> others, const Arguments& a) {
   const std::vector<TrainingSample> all = samples_of(streets, others, a.clouds.size());
+  const std::vector<TrainingSample> only_whole =
+      a.all_roles ? std::vector<TrainingSample>{} : samples_of(streets, {}, a.clouds.size());
+  streets = {}, others = {};  // thousands of streets take as much memory as the samples
+  trim_memory();
   const auto came_from = [](const char* what, const fs::path& path, const ObjectModel& model) {
     return fmt::format("{} of {}, which came from:\n{}", what, path.filename().string(), model.recipe);
   };
@@ -242,7 +247,7 @@ void write_model(const std::vector<Street>& streets, const std::vector<Street>& 
     ObjectTrainingParams params;
     params.role_weights = a.classes.empty() && !a.later_weights;
     if (a.clouds.size() >= kManyStreets) params.folds = kFoldsOfMany;
-    model = train_roles(a.all_roles ? all : samples_of(streets, {}, a.clouds.size()), params);
+    model = train_roles(a.all_roles ? all : only_whole, params);
   } else {
     model = read_model(a.roles);
     others_recipe = came_from("roles", a.roles, model);
@@ -347,7 +352,7 @@ void run(const Arguments& a) {
   if (a.cut > 0)
     for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, {a.cut, 1, false}, a.cache));
   const std::size_t different = a.clouds.size();
-  const std::vector<Street> others = other_streets(a);
+  std::vector<Street> others = other_streets(a);
   if (a.shipped || !a.judged.empty()) {
     std::vector<Street> judged = streets;
     judged.insert(judged.end(), others.begin(), others.end());
@@ -370,9 +375,9 @@ void run(const Arguments& a) {
     }
     evaluate(streets, different, "everything found, all features", {}, Judged::everything);
   }
-  if (!a.model.empty()) write_model(streets, others, a);
   if (!a.stated.empty())
     learn_stated(streets, samples_of(streets, {}, a.clouds.size()), {a.clouds, a.weights}, a.stated);
+  if (!a.model.empty()) write_model(std::move(streets), std::move(others), a);
 }
 
 }  // namespace

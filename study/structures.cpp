@@ -235,7 +235,8 @@ StructureModel trained(const Arguments& a) {
   }
   std::string left_out;
   for (const Leaving& leaving : a.leavings) left_out += leaving.option();
-  const TreeSamples all{standing_features(), kStandingKinds, samples.rows, samples.kinds};
+  const TreeSamples all{standing_features(), kStandingKinds, columns_of_rows(samples.rows, standing_features()),
+                        samples.kinds};
   StructureModel model;
   model.trees = boost_trees(all, a.trees);
   model.recipe = fmt::format("study_structures{}{} --most {} --few {} --rounds {} --depth {}\n{} cells\n", names,

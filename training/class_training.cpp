@@ -24,8 +24,11 @@ ColumnTrees trained(std::span<const TrainingSample> samples, const std::vector<P
   for (std::size_t f = 0; f < kCandidateFeatures; ++f) out.columns.push_back(f);
   std::vector<std::uint32_t> of_class;
   for (const TrainingSample& s : samples) of_class.push_back(place_of(classes, s.label));
-  out.trees =
-      boost_trees({out.columns.size(), classes.size(), feature_rows(out.columns, features_of(samples)), of_class});
+  const std::vector<CandidateFeatures> features = features_of(samples);
+  const auto values = [&](std::size_t column) {
+    return feature_rows(std::span(out.columns).subspan(column, 1), features);
+  };
+  out.trees = boost_trees({out.columns.size(), classes.size(), values, of_class});
   return only_used(std::move(out));
 }
 

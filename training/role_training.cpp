@@ -60,9 +60,11 @@ ColumnTrees train_stage(const ChosenSamples& chosen, std::span<const KindShares>
   std::vector<std::uint32_t> kinds;
   for (const TrainingSample& s : chosen.samples) kinds.push_back(static_cast<std::uint32_t>(nature_of(s)));
   const std::vector<CandidateRelations> relations = candidate_relations(from.features, from.parts);
-  const std::vector<double> rows =
-      role_rows(stage.columns, {from.features, relations, from.predicted}, 0, from.features.size());
-  stage.trees = boost_trees({stage.columns.size(), kCandidateKinds, rows, kinds}, params);
+  const auto values = [&](std::size_t column) {
+    return role_rows(std::span(stage.columns).subspan(column, 1), {from.features, relations, from.predicted}, 0,
+                     from.features.size());
+  };
+  stage.trees = boost_trees({stage.columns.size(), kCandidateKinds, values, kinds}, params);
   return only_used(std::move(stage));
 }
 

@@ -35,6 +35,7 @@ ChosenSamples choose(std::span<const TrainingSample> all, const TrainingFolds& f
 
 std::vector<CandidateFeatures> features_of(std::span<const TrainingSample> samples) {
   std::vector<CandidateFeatures> out;
+  out.reserve(samples.size());
   for (const TrainingSample& s : samples) out.push_back(s.features);
   return out;
 }

@@ -19,6 +19,9 @@ constexpr double kMostStep = 8;       // largest step that a leaf adds
 constexpr std::size_t kGrain = 4096;  // rows
 // Choice: levels by which the largest gradients are found; more of them would choose nearly the same rows.
 constexpr std::size_t kGradientLevels = 1024;  // from 0 to 1
+// Choice: a histogram of so many columns stays in the nearest cache while the bins of so many rows do in the next one.
+constexpr std::size_t kColumnsCounted = 16, kRowsCounted = 256;
+constexpr std::size_t kRowsAhead = 12;  // that are fetched while a row is counted
 
 std::int32_t in_units(double slope) {
   return static_cast<std::int32_t>(std::lround(slope / kSlopeUnit));
@@ -41,15 +44,16 @@ struct Slope {
   Slope less(const Slope& s) const { return {first - s.first, second - s.second}; }
 };
 
-// Bins, row after row: a row is read from memory once for all columns of its histograms.
+// Bins, once row after row, for histograms of all columns, and once column after column, for the rows of a split.
 struct BinnedColumns {
   std::size_t rows = 0;
   std::vector<std::vector<float>> limits;
   std::vector<std::size_t> start;  // start of each column in a histogram, and the end
-  std::vector<std::uint8_t> bins;
+  std::vector<std::uint8_t> by_row, by_column;
   std::vector<std::uint64_t> keys;  // hash of the bins of each row
   std::size_t columns() const { return limits.size(); }
-  const std::uint8_t* row(std::size_t r) const { return bins.data() + r * columns(); }
+  const std::uint8_t* row(std::size_t r) const { return by_row.data() + r * columns(); }
+  const std::uint8_t* column(std::size_t c) const { return by_column.data() + c * rows; }
 };
 
 // Returns limits half way between values, so that each bin has about the same number of rows. Equal values are never
@@ -79,14 +83,15 @@ std::vector<std::uint64_t> row_keys(const BinnedColumns& columns) {
 }
 
 BinnedColumns binned(const TreeSamples& samples, std::size_t bins) {
-  BinnedColumns out{samples.of_class.size(), std::vector<std::vector<float>>(samples.columns), {0}, {}, {}};
-  out.bins.resize(samples.values.size());
+  BinnedColumns out{samples.of_class.size(), std::vector<std::vector<float>>(samples.columns), {0}, {}, {}, {}};
+  out.by_row.resize(out.rows * samples.columns), out.by_column.resize(out.by_row.size());
   parallel_for(samples.columns, [&](std::size_t c) {
-    std::vector<double> column(out.rows);
-    for (std::size_t r = 0; r < out.rows; ++r) column[r] = samples.values[r * samples.columns + c];
+    const std::vector<double> column = samples.values(c);
+    assert(column.size() == out.rows);
     out.limits[c] = even_limits(column, bins);
     const std::vector<std::uint8_t> own = tree_bins({&out.limits[c], 1}, column);
-    for (std::size_t r = 0; r < out.rows; ++r) out.bins[r * samples.columns + c] = own[r];
+    std::copy(own.begin(), own.end(), out.by_column.begin() + static_cast<std::ptrdiff_t>(c * out.rows));
+    for (std::size_t r = 0; r < out.rows; ++r) out.by_row[r * samples.columns + c] = own[r];
   });
   for (const auto& list : out.limits) out.start.push_back(out.start.back() + list.size() + 1);
   out.keys = row_keys(out);
@@ -174,19 +179,28 @@ class TreeGrower {
         const TreeSplit* split = splits.data() + (std::size_t{1} << depth) - 1;
         for (std::size_t i = 0; i < count; ++i) {
           const TreeSplit s = split[node[i]];
-          node[i] = static_cast<std::uint8_t>(2 * node[i] + (columns_.row(first + i)[s.column] > s.bin));
+          node[i] = static_cast<std::uint8_t>(2 * node[i] + (columns_.column(s.column)[first + i] > s.bin));
         }
       }
       for (std::size_t i = 0; i < count; ++i) scores[first + i] += leaves[node[i]];
     }
   }
 
+  void count(std::span<const std::uint32_t> rows, std::size_t first, std::size_t end, Slope* histogram) const {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      __builtin_prefetch(columns_.row(rows[std::min(i + kRowsAhead, rows.size() - 1)]) + first);
+      const Slope slope{slopes_[rows[i]].first, slopes_[rows[i]].second};
+      const std::uint8_t* bins = columns_.row(rows[i]);
+      for (std::size_t c = first; c < end; ++c) histogram[columns_.start[c] + bins[c]].add(slope);
+    }
+  }
+
   std::vector<Slope> counted(const std::vector<std::uint32_t>& rows) const {
     std::vector<Slope> histogram(columns_.start.back());
-    for (const std::uint32_t r : rows) {
-      const RowSlope slope = slopes_[r];
-      const std::uint8_t* bins = columns_.row(r);
-      for (std::size_t c = 0; c < columns_.columns(); ++c) histogram[columns_.start[c] + bins[c]].add(slope);
+    for (std::size_t first = 0; first < rows.size(); first += kRowsCounted) {
+      const auto some = std::span(rows).subspan(first, std::min(kRowsCounted, rows.size() - first));
+      for (std::size_t c = 0; c < columns_.columns(); c += kColumnsCounted)
+        count(some, c, std::min(columns_.columns(), c + kColumnsCounted), histogram.data());
     }
     return histogram;
   }
@@ -214,8 +228,9 @@ class TreeGrower {
       right.histogram.resize(left.histogram.size());
       return;
     }
+    const std::uint8_t* bins = columns_.column(split.column);
     for (const std::uint32_t r : node.rows) {
-      GrowingNode& side = columns_.row(r)[split.column] > split.bin ? right : left;
+      GrowingNode& side = bins[r] > split.bin ? right : left;
       side.rows.push_back(r);
       side.all.add(slopes_[r]);
     }
@@ -315,9 +330,16 @@ class Booster {
 
 }  // namespace
 
+ReadColumn columns_of_rows(std::span<const double> rows, std::size_t columns) {
+  return [rows, columns](std::size_t column) {
+    std::vector<double> values(rows.size() / columns);
+    for (std::size_t r = 0; r < values.size(); ++r) values[r] = rows[r * columns + column];
+    return values;
+  };
+}
+
 BoostedTrees boost_trees(const TreeSamples& samples, const TreeBoostingParams& params) {
   assert(samples.classes > 0 && samples.columns > 0 && !samples.of_class.empty());
-  assert(samples.values.size() == samples.of_class.size() * samples.columns);
   assert(params.drawn_of > 0 && params.drawn_of <= kMostDrawnOf);
   assert(params.depth > 0 && params.depth <= 7 && params.bins > 1 && params.bins <= kMostBins);
   return Booster(samples, params).boost();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <vector>
 
 #include "kernels/classifiers/boosted_trees.h"
 
@@ -23,10 +25,16 @@ struct TreeBoostingParams {
 
 constexpr std::uint32_t kMostDrawnOf = 1024;  // a gradient that counts so many times still has 32 bits
 
-// Rows of values, one row after the other, and the class of each row.
+// The values of one column for all rows, finite. Called once for each column, from several threads at once.
+using ReadColumn = std::function<std::vector<double>(std::size_t column)>;
+
+// The columns of rows that stand one after the other. The rows must outlive the function.
+ReadColumn columns_of_rows(std::span<const double> rows, std::size_t columns);
+
+// Values by column and the class of each row.
 struct TreeSamples {
   std::size_t columns = 0, classes = 0;
-  std::span<const double> values;           // `columns` values per row; finite
+  ReadColumn values;
   std::span<const std::uint32_t> of_class;  // each is below `classes`
 };
 
@@ -37,7 +45,8 @@ struct TreeSamples {
 // summed as such, so the order of the rows and the number of threads do not matter. Limits that no tree uses are left
 // out. Rows are drawn by a hash of their bins, the round and the class, so equal rows are drawn together. A class
 // without rows is never predicted. O(rounds classes depth (rows + counted rows columns)) at most, because of two nodes
-// only the smaller one is counted. Memory is about 8 + columns + 28 classes bytes per row.
+// only the smaller one is counted. Memory is about 8 + 2 columns + 28 classes bytes per row, and 24 more for each
+// thread.
 BoostedTrees boost_trees(const TreeSamples& samples, const TreeBoostingParams& params = {});
 
 }  // namespace ilot

@@ -16,7 +16,7 @@ struct Set {
   std::size_t columns = 0, classes = 0;
   std::vector<double> values;
   std::vector<std::uint32_t> of_class;
-  TreeSamples samples() const { return {columns, classes, values, of_class}; }
+  TreeSamples samples() const { return {columns, classes, columns_of_rows(values, columns), of_class}; }
 };
 
 // Values of few digits, so that many are equal; the class hangs on two columns and on chance.
