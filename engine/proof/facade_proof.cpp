@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
 
 #include "kernels/geometry/closest.h"
 #include "kernels/outlines/ear_clipping.h"
@@ -115,13 +114,8 @@ void FacadeProof::sort_edges() {
   const double most = std::sqrt(kMostBins);
   columns_ = static_cast<std::int64_t>(std::min((u1 - u0_) / kBin, most)) + 1;
   rows_ = static_cast<std::int64_t>(std::min((v1 - v0_) / kBin, most)) + 1;
-  first_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
-  for (const Edge& e : edges_) for_bins_near(e, [&](std::size_t bin) { ++first_[bin + 1]; });
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  near_.resize(first_.back());
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (std::uint32_t i = 0; i < edges_.size(); ++i)
-    for_bins_near(edges_[i], [&](std::size_t bin) { near_[next[bin]++] = i; });
+  near_ = lists_by_key(static_cast<std::size_t>(columns_ * rows_), edges_.size(),
+                       [&](std::size_t i, const auto& take) { for_bins_near(edges_[i], take); });
 }
 
 // Calls take(bin) for the bins with points within reach of an edge, and perhaps a few more: the last bins of rows and
@@ -144,11 +138,11 @@ void FacadeProof::for_bins_near(const Edge& e, const Take& take) const {
 
 std::span<const std::uint32_t> FacadeProof::edges_near(Vec3 p) const {
   const std::size_t bin = bin_of(p.x, p.y);
-  return std::span(near_).subspan(first_[bin], first_[bin + 1] - first_[bin]);
+  return near_.of(bin);
 }
 
 std::uint64_t FacadeProof::bytes() const {
-  return (first_.size() + near_.size()) * sizeof(std::uint32_t) + edges_.size() * sizeof(Edge) +
+  return (near_.first.size() + near_.items.size()) * sizeof(std::uint32_t) + edges_.size() * sizeof(Edge) +
          face_of_.size() * kBytesOfTriangle;
 }
 

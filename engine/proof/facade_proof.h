@@ -7,6 +7,7 @@
 
 #include "engine/proof/facade_surfaces.h"
 #include "engine/visibility/closest_point.h"
+#include "kernels/core/lists_by_key.h"
 
 namespace ilot {
 
@@ -71,7 +72,7 @@ class FacadeProof {
   std::vector<Edge> edges_;
   double u0_ = 0, v0_ = 0;
   std::int64_t columns_ = 0, rows_ = 0;
-  std::vector<std::uint32_t> first_, near_;  // the edges near bin b: [first_[b], first_[b + 1]) of near_
+  ListsByKey near_;  // the edges near each bin
 };
 
 }  // namespace ilot

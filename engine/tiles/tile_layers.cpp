@@ -4,13 +4,10 @@
 #include <algorithm>
 
 namespace ilot {
-namespace {
 
 std::int64_t tile_index(std::int64_t pixel, std::uint32_t side) {
   return pixel >= 0 ? pixel / side : (pixel - side + 1) / std::int64_t{side};
 }
-
-}  // namespace
 
 Image layer_tile(const TileLayers& layers, const char* layer, std::size_t tile) {
   const TileFrame frame = tile_frame(layers.grid, tile);

@@ -23,6 +23,9 @@ struct TileLayers {
   std::function<void(const char* layer)> drop;  // must not be called while other threads read the layer
 };
 
+// The row or column of the tile with this row or column of pixels, which may lie outside of the image.
+std::int64_t tile_index(std::int64_t pixel, std::uint32_t side);
+
 // A whole tile of a layer.
 Image layer_tile(const TileLayers& layers, const char* layer, std::size_t tile);
 

@@ -11,6 +11,7 @@
 #include "engine/deliverables/drawings/dimension_style.h"
 #include "engine/deliverables/drawings/sheet_texts.h"
 #include "kernels/geometry/flat_segment.h"
+#include "kernels/geometry/ring.h"
 
 namespace ilot {
 namespace {
@@ -23,15 +24,6 @@ constexpr double kSameLevel = 0.5;
 // half.
 std::string in_centimetres(double metres, const Drawing& drawing) {
   return number_text(std::floor(std::round(metres * 1e4) / 100 + 0.5) / 100, 2, drawing.decimal_comma);
-}
-
-bool is_inside(FlatPoint p, const std::vector<FlatPoint>& ring) {
-  bool inside = false;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const FlatPoint a = ring[i], b = ring[(i + 1) % ring.size()];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) inside = !inside;
-  }
-  return inside;
 }
 
 // The places where texts may be: not across a line of an element, not on another text.
@@ -51,7 +43,7 @@ class FreePlaces {
     return true;
   }
   bool is_inside_of(std::size_t element, const FlatBox& box) const {
-    return is_inside(box.middle(), rings_[element].second);
+    return contains_by_share(rings_[element].second, box.middle());
   }
   void take(const FlatBox& box) { taken_.push_back(box); }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kernels/core/portable_math.h"
+#include "kernels/geometry/ring.h"
 
 namespace ilot {
 namespace {
@@ -30,7 +31,7 @@ Where place_in(const Cover& cover, FlatPoint p) {
   for (std::size_t i = 0; i < n; ++i) {
     const FlatPoint a = cover.ring[i], b = cover.ring[(i + 1) % n];
     if (distance_to(p, a, b) <= kBeside) return Where::border;
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) inside = !inside;
+    inside ^= ray_crosses_by_share(p, a, b);
   }
   return inside ? Where::inside : Where::outside;
 }

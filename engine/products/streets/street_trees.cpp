@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <span>
 #include <tuple>
 
@@ -13,6 +12,7 @@
 #include "engine/products/streets/trees/trunks.h"
 #include "engine/store/stretches.h"
 #include "engine/tiles/lattice_cells.h"
+#include "kernels/core/lists_by_key.h"
 
 namespace ilot {
 namespace {
@@ -201,9 +201,10 @@ class TreeFinder {
   template <class Take>
   void for_tiles_around(std::size_t tile, const Take& take) const {
     const TileFrame frame = tile_frame(raster_.layers.grid, tile);
-    const std::int64_t r = reach(), side = raster_.layers.grid.side, last = side - 1 + r;
-    for (std::int64_t row = floor_of(frame.y - r, side); row <= floor_of(frame.y + last, side); ++row)
-      for (std::int64_t column = floor_of(frame.x - r, side); column <= floor_of(frame.x + last, side); ++column)
+    const std::uint32_t side = raster_.layers.grid.side;
+    const std::int64_t r = reach(), last = side - 1 + r;
+    for (std::int64_t row = tile_index(frame.y - r, side); row <= tile_index(frame.y + last, side); ++row)
+      for (std::int64_t column = tile_index(frame.x - r, side); column <= tile_index(frame.x + last, side); ++column)
         if (const std::size_t other = raster_.layers.grid.tile_at(row, column); other != kNoTile) take(other);
   }
 
@@ -237,10 +238,6 @@ class TreeFinder {
     return w;
   }
 
-  static std::int64_t floor_of(std::int64_t v, std::int64_t side) {
-    return v >= 0 ? v / side : -((side - 1 - v) / side);
-  }
-
   // Whether a trunk reaches up to vegetation that is high enough for a tree, over it or beside it.
   bool carries_crown(const Window& w, const PlacedTrunk& t) const {
     const auto cx = static_cast<std::int64_t>(t.x) - w.x, cy = static_cast<std::int64_t>(t.y) - w.y;
@@ -271,30 +268,14 @@ class TreeFinder {
     params.least_height = least;
     params.cell = raster_.cell / tiles_.raster().scale.unit;
     const CrownRegions crowns = find_crowns(w.cells.above, seeds, params);
-    const auto [first, cells] = cells_by_region(crowns);
-    for (std::size_t r = 0; r < crowns.regions.size(); ++r)
-      add_tree(tile, w, crowns.regions[r], std::span(cells).subspan(first[r], first[r + 1] - first[r]));
+    const ListsByKey cells =
+        lists_by_key(crowns.regions.size(), crowns.of.size(), [&](std::size_t i, const auto& take) {
+          if (crowns.of[i] != 0) take(crowns.of[i] - 1);
+        });
+    for (std::size_t r = 0; r < crowns.regions.size(); ++r) add_tree(tile, w, crowns.regions[r], cells.of(r));
     std::sort(trees_[tile].begin(), trees_[tile].end(), [](const StreetTree& a, const StreetTree& b) {
       return std::tie(a.position.y, a.position.x) < std::tie(b.position.y, b.position.x);
     });
-  }
-
-  // The cells of regions: those of region r are [first[r], first[r + 1]).
-  struct RegionCells {
-    std::vector<std::size_t> first;
-    std::vector<std::uint32_t> cells;
-  };
-
-  static RegionCells cells_by_region(const CrownRegions& crowns) {
-    RegionCells out{std::vector<std::size_t>(crowns.regions.size() + 1, 0), {}};
-    for (const std::uint32_t of : crowns.of)
-      if (of != 0) ++out.first[of];
-    std::partial_sum(out.first.begin(), out.first.end(), out.first.begin());
-    out.cells.resize(out.first.back());
-    std::vector<std::size_t> next = out.first;
-    for (std::size_t i = 0; i < crowns.of.size(); ++i)
-      if (crowns.of[i] != 0) out.cells[next[crowns.of[i] - 1]++] = static_cast<std::uint32_t>(i);
-    return out;
   }
 
   void add_tree(std::size_t tile, const Window& w, const CrownRegion& region, std::span<const std::uint32_t> crown) {

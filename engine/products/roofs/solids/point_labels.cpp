@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace ilot {
 namespace {
@@ -73,21 +72,16 @@ void PointLabeller::map_walls() {
   cell_ = std::max({1.0, std::sqrt(width * height / kMostCells), std::max(width, height) / kMostCells});
   columns_ = static_cast<std::size_t>(width / cell_) + 1;
   rows_ = static_cast<std::size_t>(height / cell_) + 1;
-  first_.assign(columns_ * rows_ + 1, 0);
-  for (const Wall& w : walls_) for_each_cell(w, [&](std::size_t cell) { ++first_[cell + 1]; });
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  of_cell_.resize(first_.back());
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (std::uint32_t i = 0; i < walls_.size(); ++i)
-    for_each_cell(walls_[i], [&](std::size_t cell) { of_cell_[next[cell]++] = i; });
+  near_ = lists_by_key(columns_ * rows_, walls_.size(),
+                       [&](std::size_t i, const auto& take) { for_each_cell(walls_[i], take); });
 }
 
 PointLabel PointLabeller::label(Vec3 p, std::uint32_t face) const {
   if (face != 0) return PointLabel::roof;
   if (p.x >= low_x_ && p.x <= high_x_ && p.y >= low_y_ && p.y <= high_y_) {
     const std::size_t cell = row(p.y) * columns_ + column(p.x);
-    for (std::uint32_t i = first_[cell]; i < first_[cell + 1]; ++i) {
-      const Wall& w = walls_[of_cell_[i]];
+    for (const std::uint32_t i : near_.of(cell)) {
+      const Wall& w = walls_[i];
       if (p.z <= w.top + kReach && stands_at(w.x, w.y, w.dx, w.dy, p)) return PointLabel::wall;
     }
   }

@@ -6,6 +6,7 @@
 #include "engine/model/point_label.h"
 #include "engine/products/roofs/sites/roof_site.h"
 #include "engine/products/roofs/solids/roof_model.h"
+#include "kernels/core/lists_by_key.h"
 
 namespace ilot {
 
@@ -35,7 +36,7 @@ class PointLabeller {
   std::vector<Wall> walls_;
   double low_x_ = 0, low_y_ = 0, high_x_ = -1, high_y_ = -1, cell_ = 1;  // area of the walls; side of a cell
   std::size_t columns_ = 0, rows_ = 0;
-  std::vector<std::uint32_t> first_, of_cell_;  // per cell the walls that may be near it
+  ListsByKey near_;  // the walls that may be near each cell
 };
 
 }  // namespace ilot
