@@ -39,6 +39,8 @@ KERNEL_HEIGHT = {"core": 0, "geometry": 1, "simd": 1, "classifiers": 2, "neighbo
 CLOUD_FORMATS = re.compile(r"\b(las|laz|copc|e57|ply|pcd|ptx|LAS|LAZ|COPC|E57|PLY|PCD|PTX)\b|LASF")
 DRAWING_FORMATS = re.compile(r"\b(dxf|DXF|CityJSON|GDAL|gdal\w*|ogr\w*|OGR\w*)\b")
 TALKING = re.compile(r"<iostream>|\bstd::(cout|cerr|clog|printf|exit)\b|\b(printf|puts|abort|exit|_exit)\s*\(")
+# Functions of the maths library that machines round differently.
+LIBM = re.compile(r"\bstd::(hypot|sin|cos|tan|asin|acos|atan2?|sinh|cosh|tanh|exp2?|expm1|log|log2|log10|log1p|pow|cbrt|erfc?|[lt]gamma)\(")
 INTRINSICS = re.compile(r"#\s*include\s*<(\w*intrin|arm_neon|arm_sve)\.h>|\b_mm\d*_\w+\(")
 TYPE = re.compile(r"^(?:template[^\n]*\n)?(?:struct|class|enum class) (\w+)\b[^;{]*\{", re.M)
 NAMESPACE = re.compile(r"^namespace ([\w:]+) \{", re.M)
@@ -86,6 +88,8 @@ def faults_of(name, text):
                 yield f"includes {included}: no product judges itself"
     if INTRINSICS.search(code) and not name.startswith("kernels/simd/"):
         yield "uses intrinsics: only kernels/simd may"
+    if (layer == "kernels" or name.startswith("engine/products/")) and LIBM.search(code):
+        yield f"calls {LIBM.search(code).group(0)}): results would hang on the machine; kernels/core/portable_math.h and geometry/flat.h do not"
     if layer in ("ilot", "kernels", "engine"):
         if TALKING.search(code):
             yield f"prints or exits ({TALKING.search(code).group(0).strip()}): library code never does"

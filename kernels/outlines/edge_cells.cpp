@@ -7,6 +7,8 @@
 #include <limits>
 #include <numeric>
 
+#include "kernels/geometry/flat.h"
+
 namespace ilot {
 namespace {
 
@@ -98,7 +100,7 @@ class EdgeWalk {
   EdgeWalk(std::span<const FlatPoint> points, const PointTree& tree, const FlatEdge& edge,
            std::vector<std::uint8_t>& flags)
       : points_(points), tree_(tree), edge_(edge), flags_(flags) {
-    length_ = std::hypot(edge.b.x - edge.a.x, edge.b.y - edge.a.y);
+    length_ = norm(FlatPoint{edge.b.x - edge.a.x, edge.b.y - edge.a.y});
     along_ = {(edge.b.x - edge.a.x) / length_, (edge.b.y - edge.a.y) / length_};
   }
 

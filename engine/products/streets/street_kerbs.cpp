@@ -11,6 +11,7 @@
 #include "engine/products/streets/street_labels.h"
 #include "engine/store/stretches.h"
 #include "engine/tiles/lattice_cells.h"
+#include "kernels/geometry/flat.h"
 
 namespace ilot {
 namespace {
@@ -158,11 +159,11 @@ class KerbFinder {
         for (int round = 0; round < 2; ++round) {  // the second window has the edge in its middle
           double base = 0;
           fit = fit_step(collect(window, x, y, room, base), fit_);
-          if (!fit || std::hypot(fit->x, fit->y) > cell) break;
+          if (!fit || norm(FlatPoint{fit->x, fit->y}) > cell) break;
           x += fit->x, y += fit->y;
           fit->z += base;
         }
-        if (!fit || std::hypot(fit->x, fit->y) > cell) continue;
+        if (!fit || norm(FlatPoint{fit->x, fit->y}) > cell) continue;
         const double u = x - halo, v = y - halo;  // metres in the tile
         if (std::floor(u / cell) != column || std::floor(v / cell) != row) continue;
         add({frame.x * pixel + u, frame.y * pixel + v, fit->z, fit->up_x, fit->up_y, fit->height}, tile);
@@ -191,7 +192,7 @@ class KerbFinder {
       kerb.heights_m.push_back(v.height);
       if (kerb.line.size() > 1) {
         const KerbVertex& before = line.vertices[kerb.line.size() - 2];
-        kerb.length_m += std::hypot(v.x - before.x, v.y - before.y);
+        kerb.length_m += norm(FlatPoint{v.x - before.x, v.y - before.y});
       }
     }
     std::vector<double> sorted = kerb.heights_m;

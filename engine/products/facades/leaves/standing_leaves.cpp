@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "kernels/core/quantile.h"
+#include "kernels/geometry/flat.h"
 
 namespace ilot {
 namespace {
@@ -53,10 +54,10 @@ std::optional<StandingLeaf> leaf_of(const std::vector<LeafPoint>& points, double
   for (const LeafPoint& p : points)
     uu += (p.u - u) * (p.u - u), uw += (p.u - u) * (p.w - w), ww += (p.w - w) * (p.w - w);
   // The direction of the greatest scatter in the plan.
-  const double half = (uu - ww) / 2, root = std::hypot(half, uw);
+  const double half = (uu - ww) / 2, root = norm(FlatPoint{half, uw});
   double du = half + root, dw = uw;
-  if (std::hypot(du, dw) == 0) du = 0, dw = 1;
-  const double length = std::hypot(du, dw);
+  if (norm(FlatPoint{du, dw}) == 0) du = 0, dw = 1;
+  const double length = norm(FlatPoint{du, dw});
   du /= length, dw /= length;
   if (dw < 0) du = -du, dw = -dw;
   const double rms = std::sqrt(std::max(0.0, (uu + ww) / 2 - root) / count);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/products/facades/openings/openings.h"
+#include "kernels/geometry/flat.h"
 
 namespace ilot {
 
@@ -14,7 +15,7 @@ struct StandingLeaf {
   double error = 0;          // metres, of the hinge
   std::uint64_t points = 0;
 
-  double length() const { return std::hypot(tip.u - hinge.u, tip.v - hinge.v); }
+  double length() const { return norm(FlatPoint{tip.u - hinge.u, tip.v - hinge.v}); }
 };
 
 // Finds the segments of the cloud before the wall that are upright, lean to the wall by ten degrees and more, begin

@@ -11,6 +11,7 @@
 
 #include "engine/products/facades/openings/barred_holes.h"
 #include "engine/products/facades/openings/located_edge.h"
+#include "kernels/core/portable_math.h"
 
 namespace ilot {
 namespace {
@@ -178,7 +179,7 @@ double stopped_share(const ViewedHole& h, const HoleView& view, double rays_a_ce
     all += h.inside[i];
     stopped += h.inside[i] && !view.stopped.empty() && view.stopped[i];
   }
-  return all > 0 ? stopped / all / -std::expm1(-rays_a_cell) : 1;
+  return all > 0 ? stopped / all / (1 - natural_exp(-rays_a_cell)) : 1;
 }
 
 bool crosses(const ViewedHole& h, const HoleView& view, double cell) {

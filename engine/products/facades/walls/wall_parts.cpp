@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/geometry/flat.h"
+
 namespace ilot {
 namespace {
 
@@ -24,13 +26,13 @@ bool steps_between(const SegmentEnds& a, const SegmentEnds& b, const WallParams&
   bool known = false;  // that there is a step
   for (const EndPlane* p : {&a.left, &a.right})
     for (const EndPlane* q : {&b.left, &b.right}) {
-      const double along = std::hypot(q->place.x - p->place.x, q->place.y - p->place.y);
+      const double along = norm(FlatPoint{q->place.x - p->place.x, q->place.y - p->place.y});
       if (!(along < nearest)) continue;
       const Vec3 sum = p->normal + (dot(p->normal, q->normal) > 0 ? 1.0 : -1.0) * q->normal;
       nearest = along;
       known = (p->step || q->step) && along * params.metres_per_unit <= kSamePlace;
       step = std::abs(dot(q->place - p->place, sum)) / norm(sum) * params.metres_per_unit;
-      error = kSure * std::hypot(p->error_m, q->error_m);
+      error = kSure * norm(FlatPoint{p->error_m, q->error_m});
       height = (p->height_m + q->height_m) / 2 - std::abs(q->place.z - p->place.z) * params.metres_per_unit;
     }
   // Storeys that are set back lie above each other, not beside each other.

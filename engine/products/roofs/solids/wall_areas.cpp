@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernels/core/quantile.h"
+#include "kernels/geometry/flat.h"
 
 namespace ilot {
 namespace {
@@ -54,8 +55,8 @@ std::optional<OuterWall> outer_wall(const Building& solid, const BuildingSurface
   const Vec3 a = place(ring[0]);
   Vec3 b = a;
   for (const std::uint32_t v : ring)
-    if (const Vec3 p = place(v); std::hypot(p.x - a.x, p.y - a.y) > std::hypot(b.x - a.x, b.y - a.y)) b = p;
-  OuterWall w{a.x, a.y, 0, 0, std::hypot(b.x - a.x, b.y - a.y), a.z, a.z, b.z};
+    if (const Vec3 p = place(v); norm(FlatPoint{p.x - a.x, p.y - a.y}) > norm(FlatPoint{b.x - a.x, b.y - a.y})) b = p;
+  OuterWall w{a.x, a.y, 0, 0, norm(FlatPoint{b.x - a.x, b.y - a.y}), a.z, a.z, b.z};
   if (!(w.length > 0)) return std::nullopt;
   w.ux = (b.x - a.x) / w.length;
   w.uy = (b.y - a.y) / w.length;
@@ -73,7 +74,7 @@ std::optional<OuterWall> outer_wall(const Building& solid, const BuildingSurface
 std::optional<Span> shared_span(const OuterWall& w, Point2 from, Point2 to) {
   const double fx = from.x / 1000.0, fy = from.y / 1000.0, gx = to.x / 1000.0, gy = to.y / 1000.0;
   double t0 = w.along(fx, fy), t1 = w.along(gx, gy), d0 = w.outside(fx, fy), d1 = w.outside(gx, gy);
-  const double length = std::hypot(gx - fx, gy - fy);
+  const double length = norm(FlatPoint{gx - fx, gy - fy});
   if (!(length > 0) || std::abs(t1 - t0) < kAlong * length) return std::nullopt;
   if (t0 > t1) std::swap(t0, t1), std::swap(d0, d1);
   // The distance is a linear function of the place; it is limited on both sides.

@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "kernels/geometry/flat.h"
+
 namespace ilot {
 namespace {
 
@@ -48,7 +50,7 @@ struct Way {
 
 Way way(const StepPoint& from, double x, double y) {
   const double dx = x - from.x, dy = y - from.y;
-  return {dx * from.up_y - dy * from.up_x, dx * from.up_x + dy * from.up_y, std::hypot(dx, dy)};
+  return {dx * from.up_y - dy * from.up_x, dx * from.up_x + dy * from.up_y, norm(FlatPoint{dx, dy})};
 }
 
 class KerbLinker {
@@ -118,7 +120,7 @@ class KerbLinker {
     double length = 0;
     for (std::size_t i = 1; i < chain.size(); ++i)
       length +=
-          std::hypot(places_[chain[i]].x - places_[chain[i - 1]].x, places_[chain[i]].y - places_[chain[i - 1]].y);
+          norm(FlatPoint{places_[chain[i]].x - places_[chain[i - 1]].x, places_[chain[i]].y - places_[chain[i - 1]].y});
     return length;
   }
 
@@ -140,7 +142,7 @@ class KerbLinker {
     std::vector<double> s, x, y, z, h;
     for (const std::size_t i : chain) {
       const StepPoint& p = places_[i];
-      s.push_back(s.empty() ? 0 : s.back() + std::hypot(p.x - x.back(), p.y - y.back()));
+      s.push_back(s.empty() ? 0 : s.back() + norm(FlatPoint{p.x - x.back(), p.y - y.back()}));
       x.push_back(p.x), y.push_back(p.y), z.push_back(p.z), h.push_back(p.height);
     }
     KerbLine line;
@@ -156,7 +158,7 @@ class KerbLinker {
   static double off_chord(const KerbVertex& a, const KerbVertex& b, const KerbVertex& v) {
     const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
     const double t = square > 0 ? std::clamp(((v.x - a.x) * dx + (v.y - a.y) * dy) / square, 0.0, 1.0) : 0;
-    return std::max({std::hypot(v.x - a.x - t * dx, v.y - a.y - t * dy), std::abs(v.z - a.z - t * (b.z - a.z)),
+    return std::max({norm(FlatPoint{v.x - a.x - t * dx, v.y - a.y - t * dy}), std::abs(v.z - a.z - t * (b.z - a.z)),
                      std::abs(v.height - a.height - t * (b.height - a.height))});
   }
 
@@ -188,10 +190,10 @@ class KerbLinker {
     const KerbVertex& at = last ? v.back() : v.front();
     // The direction over the last metre or more, as the last link alone is short.
     std::size_t other = last ? v.size() - 1 : 0;
-    while ((last ? other > 0 : other + 1 < v.size()) && std::hypot(v[other].x - at.x, v[other].y - at.y) < 1)
+    while ((last ? other > 0 : other + 1 < v.size()) && norm(FlatPoint{v[other].x - at.x, v[other].y - at.y}) < 1)
       other = last ? other - 1 : other + 1;
     double dx = last ? at.x - v[other].x : v[other].x - at.x, dy = last ? at.y - v[other].y : v[other].y - at.y;
-    const double length = std::max(1e-9, std::hypot(dx, dy));
+    const double length = std::max(1e-9, norm(FlatPoint{dx, dy}));
     dx /= length, dy /= length;
     return {at.x, at.y, at.z, -dy, dx, at.height};
   }

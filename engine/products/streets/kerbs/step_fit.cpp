@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernels/core/portable_math.h"
+#include "kernels/geometry/flat.h"
 #include "kernels/planes/step_gains.h"
 
 namespace ilot {
@@ -147,8 +148,8 @@ class StepFinder {
     const std::optional<PlaneInverse> low_inverse = inverse_of(low), up_inverse = inverse_of(up);
     if (!low_inverse || !up_inverse) return std::nullopt;
     const Vec a = times(*low_inverse, low.z, low.xz, low.yz), b = times(*up_inverse, up.z, up.xz, up.yz);
-    if (std::hypot(a[1], a[2]) > kSteepest || std::hypot(b[1], b[2]) > kSteepest ||
-        std::hypot(a[1] - b[1], a[2] - b[2]) > kMostBend)
+    if (norm(FlatPoint{a[1], a[2]}) > kSteepest || norm(FlatPoint{b[1], b[2]}) > kSteepest ||
+        norm(FlatPoint{a[1] - b[1], a[2] - b[2]}) > kMostBend)
       return std::nullopt;
     // The upper surface is seen up to its edge, from wherever; what is below the edge may be hidden by it. So the edge
     // is half a step of the points before the first of the upper side, and not below the middle of the gap.

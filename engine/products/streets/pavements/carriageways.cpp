@@ -9,6 +9,7 @@
 
 #include "engine/flat_area.h"
 #include "engine/products/streets/pavements/kerb_transects.h"
+#include "kernels/geometry/flat.h"
 #include "kernels/geometry/ring.h"
 
 namespace ilot {
@@ -44,7 +45,7 @@ struct KerbChain {
 double length_of(const std::vector<Vec3>& line) {
   double length = 0;
   for (std::size_t i = 1; i < line.size(); ++i)
-    length += std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
+    length += norm(FlatPoint{line[i].x - line[i - 1].x, line[i].y - line[i - 1].y});
   return length;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/geometry/flat.h"
+
 namespace ilot {
 namespace {
 
@@ -21,7 +23,8 @@ class MeasuredLine {
  public:
   explicit MeasuredLine(std::span<const Vec3> line) : line_(line) {
     for (std::size_t i = 0; i < line.size(); ++i)
-      length_.push_back(i == 0 ? 0 : length_.back() + std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y));
+      length_.push_back(
+          i == 0 ? 0 : length_.back() + norm(FlatPoint{line[i].x - line[i - 1].x, line[i].y - line[i - 1].y}));
   }
   double length() const { return length_.empty() ? 0 : length_.back(); }
   Vec3 at(double s) const {
@@ -40,8 +43,8 @@ class MeasuredLine {
 // Adds the transect at a place, but none where the line has no direction.
 void add_transect(const MeasuredLine& line, double s, std::vector<Transect>& all, std::uint32_t number) {
   const Vec3 way = line.at(std::min(line.length(), s + kChord)) - line.at(std::max(0.0, s - kChord));
-  const double norm = std::hypot(way.x, way.y);
-  if (norm > 0) all.push_back({number, line.at(s), -way.y / norm, way.x / norm, s});
+  const double length = norm(FlatPoint{way.x, way.y});
+  if (length > 0) all.push_back({number, line.at(s), -way.y / length, way.x / length, s});
 }
 
 }  // namespace

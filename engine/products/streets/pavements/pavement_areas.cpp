@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/geometry/flat.h"
 #include "kernels/geometry/ring.h"
 
 namespace ilot {
@@ -34,7 +35,8 @@ Pavement area_of_run(std::span<const PavementWidth> run, double metres_per_unit)
     p.passable_m = std::min(p.passable_m, run[i].passable_m);
     p.unseen_share += run[i].unseen_share / static_cast<double>(run.size());
     if (i > 0)
-      p.length_m += std::hypot(run[i].from.x - run[i - 1].from.x, run[i].from.y - run[i - 1].from.y) * metres_per_unit;
+      p.length_m +=
+          norm(FlatPoint{run[i].from.x - run[i - 1].from.x, run[i].from.y - run[i - 1].from.y}) * metres_per_unit;
   }
   for (std::size_t i = run.size(); i-- > 0;) p.ring.push_back(run[i].to);
   p.area_m2 = std::abs(doubled_area(p.ring).z) / 2 * metres_per_unit * metres_per_unit;

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "engine/products/streets/trees/circle_fit.h"
+#include "kernels/geometry/flat.h"
 
 namespace ilot {
 namespace {
@@ -111,7 +112,7 @@ class TrunkFinder {
       Piece* nearest = nullptr;
       double least = params_.apart;
       for (Piece& piece : slices[s]) {
-        const double d = std::hypot(piece.x() - last.x(), piece.y() - last.y());
+        const double d = norm(FlatPoint{piece.x() - last.x(), piece.y() - last.y()});
         if (!piece.used && d < least) nearest = &piece, least = d;
       }
       if (nearest != nullptr) chain.push_back(nearest), nearest->used = true;
@@ -131,7 +132,7 @@ class TrunkFinder {
     trunk.lean_x = (hx - h * x / n) / spread, trunk.lean_y = (hy - h * y / n) / spread;
     // Derived: a tree that leans more is found as a trunk for a part of its height only (`apart` over a slice).
     constexpr double kMostLean = 0.3;
-    if (std::hypot(trunk.lean_x, trunk.lean_y) > kMostLean) trunk.lean_x = trunk.lean_y = 0;
+    if (norm(FlatPoint{trunk.lean_x, trunk.lean_y}) > kMostLean) trunk.lean_x = trunk.lean_y = 0;
   }
 
   Trunk trunk_of(const std::vector<const Piece*>& chain) const {
@@ -150,7 +151,7 @@ class TrunkFinder {
     trunk.x = (x0 + x1) / 2, trunk.y = (y0 + y1) / 2, trunk.radius = half;
     const Circle circle = fit_circle(points);
     // A circle through points of one side is trusted where it is about as wide as they are.
-    const double away = std::hypot(circle.x - trunk.x, circle.y - trunk.y);
+    const double away = norm(FlatPoint{circle.x - trunk.x, circle.y - trunk.y});
     if (circle.radius > 0 && circle.radius <= 1.5 * half && away <= half)
       trunk.x = circle.x, trunk.y = circle.y, trunk.radius = circle.radius;
     trunk.from = voxels_.first + chain.front()->slice * voxels_.slice;
@@ -172,7 +173,7 @@ class TrunkFinder {
           if (in_use(piece->slice, x, y) == TrunkVoxels::kNone) continue;
           const VoxelMean v = mean_of(piece->slice, x, y);
           const bool inside = v.x >= piece->x0 && v.x <= piece->x1 && v.y >= piece->y0 && v.y <= piece->y1;
-          if (!inside && std::hypot(v.x - piece->x(), v.y - piece->y()) <= outer) around += v.points;
+          if (!inside && norm(FlatPoint{v.x - piece->x(), v.y - piece->y()}) <= outer) around += v.points;
         }
     }
     return around < trunk.points;
@@ -185,8 +186,9 @@ class TrunkFinder {
     });
     std::vector<Trunk> kept;
     for (const Trunk& t : trunks)
-      if (std::none_of(kept.begin(), kept.end(),
-                       [&](const Trunk& k) { return std::hypot(k.x - t.x, k.y - t.y) < params_.stems; }))
+      if (std::none_of(kept.begin(), kept.end(), [&](const Trunk& k) {
+            return norm(FlatPoint{k.x - t.x, k.y - t.y}) < params_.stems;
+          }))
         kept.push_back(t);
     trunks = std::move(kept);
   }
