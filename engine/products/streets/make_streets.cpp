@@ -47,6 +47,8 @@ constexpr double kTrunkShare = 0.9;  // of the height from which crowns are take
 // Derived: a square of two pixels, the smallest that is no line. From the street a pole is one pixel, with a point in
 // many of its bins.
 constexpr double kPixelsFromAir = 4;  // least number of pixels of a candidate
+// Derived: two sampling steps, as a pixel is half of one; a surface may lack a point in between.
+constexpr std::uint32_t kPixelsApart = 4;  // least gap that parts several things
 
 constexpr const char* kLeftOutFromAir =
     "streets: houses, gaps between them, kerbs and pavements are left out, as from the air they are hardly seen";
@@ -65,6 +67,7 @@ ObjectCandidateParams candidate_params(const StreetsSettings& s, const RasterSca
   params.separation.rise = s.rise;
   params.least_points = kLeastPoints;
   params.columns_apart = view == StreetView::street;
+  if (view == StreetView::street) params.pixels_apart = kPixelsApart;
   params.mean_accumulation = mean_accumulation;
   return params;
 }

@@ -76,7 +76,7 @@ std::vector<Occupancy> occupancy_of(const ComponentImages& images) {
 }  // namespace
 
 std::uint32_t gap_reach(const RasterScale& scale, const ObjectCandidateParams& params) {
-  return scale.pixels(params.nearest_apart) / 2;
+  return std::max(scale.pixels(params.nearest_apart), params.pixels_apart) / 2;
 }
 
 ComponentCandidates candidates_of_component(const Patch& patch, std::uint32_t component, const RasterScale& scale,

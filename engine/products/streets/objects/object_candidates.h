@@ -113,6 +113,7 @@ struct ObjectCandidateParams {
   std::uint64_t least_points = 3;  // above the ground, of a component that is smaller than a top
   double largest = 40;             // square metres; no join is larger
   double nearest_apart = 0.2;      // metres; parts with a narrower gap between them may be one object
+  std::uint32_t pixels_apart = 0;  // so many pixels in place of nearest_apart where that is more
   double low_height = 2;           // metres above the ground
   double seen_within = 0.25;       // metres; pixels farther from every point were filled in and are left out
   double mean_accumulation = 1;    // mean points of a ground pixel that has any; accumulations are multiples of it
@@ -129,8 +130,8 @@ struct ObjectCandidateParams {
 // shadows climb to the objects at their ends and would join them. A watershed also splits single objects, such as a
 // bicycle between saddle and handlebar. So after the separated parts come joins of two candidates: in each component
 // the two candidates whose pass is highest relative to the lower top are joined, again and again. Then candidates with
-// a gap of less than nearest_apart between them are joined. No join is larger than `largest`. Components are joined
-// over such gaps too. select_objects then decides from the classes which candidates are objects.
+// a gap of less than nearest_apart or pixels_apart between them are joined. No join is larger than `largest`.
+// Components are joined over such gaps too. select_objects then decides from the classes which candidates are objects.
 std::vector<ObjectCandidate> find_object_candidates(const TileLayers& layers, const RasterScale& scale,
                                                     const ObjectCandidateParams& params = {});
 

@@ -16,13 +16,14 @@ void fill_box(Image& image, const test::PixelBox& box, Height value) {
     for (std::uint32_t x = box.x; x < box.x + box.width; ++x) image.values[std::size_t{y} * image.width + x] = value;
 }
 
-std::vector<ObjectCandidate> candidates_of(const Image& height, const Image& points, std::uint32_t side) {
+std::vector<ObjectCandidate> candidates_of(const Image& height, const Image& points, std::uint32_t side,
+                                           const RasterScale& scale = {}, const ObjectCandidateParams& params = {}) {
   MemoryLayers memory({height.width, height.height, side});
   memory.put("height", height);
   memory.put("range", filled_image(height.width, height.height, 1));
   for (const char* layer : {"accumulation", "above", "low"}) memory.put(layer, points);
   for (const char* layer : {"occupancy", "beside"}) memory.put(layer, filled_image(height.width, height.height, 0));
-  return find_object_candidates(memory.layers, {});
+  return find_object_candidates(memory.layers, scale, params);
 }
 
 // Two posts and a link over a shadow that climbs to them: no point was seen on it.
@@ -41,6 +42,24 @@ TEST(ObjectCandidates, LinksOverShadowsJoinNothing) {
       EXPECT_EQ(t.points, 25u * 9u);
     }
     EXPECT_GT(candidates_of(height, filled_image(120, 60, 1), side).size(), 2u);  // seen all along, it joins them
+  }
+}
+
+// Two pieces of a fence in pixels of 15 cm, three pixels apart: a surface that lacks one point.
+TEST(ObjectCandidates, PiecesWithinTwoSamplingStepsAreJoined) {
+  Image height = filled_image(60, 30, kNoHeight), points = filled_image(60, 30, 0);
+  for (const std::uint32_t x : {10u, 17u}) {
+    fill_box(height, {x, 10, 4, 2}, 1200);
+    fill_box(points, {x, 10, 4, 2}, 5);
+  }
+  ObjectCandidateParams params;
+  for (const std::uint32_t side : {16u, 60u}) {
+    EXPECT_EQ(candidates_of(height, points, side, {0.001, 0.15}, params).size(), 2u) << side;
+    params.pixels_apart = 4;
+    const std::vector<ObjectCandidate> joined = candidates_of(height, points, side, {0.001, 0.15}, params);
+    ASSERT_EQ(joined.size(), 3u) << side;
+    EXPECT_EQ(joined[2].points, 2u * 8u * 5u);
+    params.pixels_apart = 0;
   }
 }
 
