@@ -33,10 +33,23 @@ void keep_nearest(std::vector<Vec3>& points, Vec3 to) {
   points.resize(kMostPerWindow);
 }
 
-// Adds the squared distance from each point to its nearest other place, by sweeping along x.
+// The axis along which points are spread the most: along the wall where a window holds the front of a house.
+double Vec3::*longest_axis(const std::vector<Vec3>& points) {
+  double Vec3::*longest = &Vec3::x;
+  double most = -1;
+  for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+    const auto [low, high] = std::minmax_element(points.begin(), points.end(),
+                                                 [&](const Vec3& a, const Vec3& b) { return a.*axis < b.*axis; });
+    if (low != points.end() && *high.*axis - *low.*axis > most) most = *high.*axis - *low.*axis, longest = axis;
+  }
+  return longest;
+}
+
+// Adds the squared distance from each point to its nearest other place, by sweeping along the longest axis.
 void add_steps(std::vector<Vec3>& points, std::vector<double>& steps) {
-  std::sort(points.begin(), points.end(),
-            [](Vec3 a, Vec3 b) { return a.x != b.x ? a.x < b.x : (a.y != b.y ? a.y < b.y : a.z < b.z); });
+  double Vec3::*const along = longest_axis(points);
+  const auto key = [&](const Vec3& p) { return std::tuple(p.*along, p.x, p.y, p.z); };
+  std::sort(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) { return key(a) < key(b); });
   const auto same = [](Vec3 a, Vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
   points.erase(std::unique(points.begin(), points.end(), same), points.end());
   if (points.size() < 2) return;
@@ -45,7 +58,7 @@ void add_steps(std::vector<Vec3>& points, std::vector<double>& steps) {
     const auto look = [&](std::size_t j) {
       const Vec3 d = points[j] - points[i];
       best = std::min(best, dot(d, d));
-      return d.x * d.x < best;
+      return d.*along * d.*along < best;
     };
     for (std::size_t j = i; j > 0 && look(j - 1);) --j;
     for (std::size_t j = i + 1; j < points.size() && look(j);) ++j;
