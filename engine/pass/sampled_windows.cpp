@@ -2,6 +2,7 @@
 #include "engine/pass/sampled_windows.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -17,6 +18,7 @@ constexpr double kPointsPerCell = 16;
 constexpr std::size_t kWindows = 32;  // where the sampling step is measured
 constexpr double kPointsPerWindow = 2000;
 constexpr std::size_t kMostPerWindow = 8192;
+constexpr std::size_t kSlices = 64;  // of a window along an axis
 
 Vec3 scaled(Vec3 p, Vec3 by) {
   return {p.x * by.x, p.y * by.y, p.z * by.z};
@@ -33,23 +35,36 @@ void keep_nearest(std::vector<Vec3>& points, Vec3 to) {
   points.resize(kMostPerWindow);
 }
 
-// The axis along which points are spread the most: along the wall where a window holds the front of a house.
-double Vec3::*longest_axis(const std::vector<Vec3>& points) {
-  double Vec3::*longest = &Vec3::x;
-  double most = -1;
-  for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
-    const auto [low, high] = std::minmax_element(points.begin(), points.end(),
-                                                 [&](const Vec3& a, const Vec3& b) { return a.*axis < b.*axis; });
-    if (low != points.end() && *high.*axis - *low.*axis > most) most = *high.*axis - *low.*axis, longest = axis;
-  }
-  return longest;
+// How many points a sweep along an axis meets within a metre of each point, summed over all points: by the counts of
+// slices.
+double crowding(const std::vector<Vec3>& points, double Vec3::*axis) {
+  const auto [low, high] = std::minmax_element(points.begin(), points.end(),
+                                               [&](const Vec3& a, const Vec3& b) { return a.*axis < b.*axis; });
+  const double from = (*low).*axis, slice = ((*high).*axis - from) / kSlices;
+  if (!(slice > 0)) return std::numeric_limits<double>::infinity();
+  std::array<double, kSlices> count{};
+  for (const Vec3& p : points) ++count[std::min(kSlices - 1, static_cast<std::size_t>((p.*axis - from) / slice))];
+  double sum = 0;
+  for (const double n : count) sum += n * n / slice;
+  return sum;
 }
 
-// Adds the squared distance from each point to its nearest other place, by sweeping along the longest axis.
+// The axis along which a sweep meets the fewest points: on a wall not across it, on roofs not upwards.
+double Vec3::*least_crowded(const std::vector<Vec3>& points) {
+  double Vec3::*best = &Vec3::x;
+  double least = crowding(points, best);
+  for (double Vec3::*axis : {&Vec3::y, &Vec3::z})
+    if (const double here = crowding(points, axis); here < least) least = here, best = axis;
+  return best;
+}
+
+// Adds the squared distance from each point to its nearest other place, by sweeping along an axis.
 void add_steps(std::vector<Vec3>& points, std::vector<double>& steps) {
-  double Vec3::*const along = longest_axis(points);
-  const auto key = [&](const Vec3& p) { return std::tuple(p.*along, p.x, p.y, p.z); };
-  std::sort(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) { return key(a) < key(b); });
+  if (points.empty()) return;
+  double Vec3::*const along = least_crowded(points);
+  std::sort(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) {
+    return a.*along != b.*along ? a.*along < b.*along : std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  });
   const auto same = [](Vec3 a, Vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
   points.erase(std::unique(points.begin(), points.end(), same), points.end());
   if (points.size() < 2) return;
