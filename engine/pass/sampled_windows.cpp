@@ -35,8 +35,8 @@ void keep_nearest(std::vector<Vec3>& points, Vec3 to) {
   points.resize(kMostPerWindow);
 }
 
-// How many points a sweep along an axis meets within a metre of each point, summed over all points: by the counts of
-// slices.
+// Grows with the number of points that a sweep along an axis looks at: the density along the axis about each point,
+// summed over the points of slices.
 double crowding(const std::vector<Vec3>& points, double Vec3::*axis) {
   const auto [low, high] = std::minmax_element(points.begin(), points.end(),
                                                [&](const Vec3& a, const Vec3& b) { return a.*axis < b.*axis; });

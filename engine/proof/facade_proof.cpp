@@ -137,8 +137,7 @@ void FacadeProof::for_bins_near(const Edge& e, const Take& take) const {
 }
 
 std::span<const std::uint32_t> FacadeProof::edges_near(Vec3 p) const {
-  const std::size_t bin = bin_of(p.x, p.y);
-  return near_.of(bin);
+  return near_.of(bin_of(p.x, p.y));
 }
 
 std::uint64_t FacadeProof::bytes() const {

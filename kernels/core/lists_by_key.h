@@ -18,9 +18,9 @@ struct ListsByKey {
   }
 };
 
-// Gathers the items 0 to `count` - 1. keys_of(item, take) calls take(key) for each key of an item, none or several,
-// each below `keys`, and the same when it is called again. There are fewer than 2^32 pairs of item and key. O(keys +
-// pairs).
+// Gathers the items 0 to `count` - 1. keys_of(item, take) calls take(key) for each key of an item. An item may have no
+// key, one or several. Keys are below `keys`. It is called twice for each item and must give the same keys. There are
+// fewer than 2^32 pairs of item and key. O(keys + pairs).
 template <class KeysOf>
 ListsByKey lists_by_key(std::size_t keys, std::size_t count, const KeysOf& keys_of) {
   ListsByKey out{std::vector<std::uint32_t>(keys + 1, 0), {}};

@@ -100,7 +100,7 @@ class EdgeWalk {
   EdgeWalk(std::span<const FlatPoint> points, const PointTree& tree, const FlatEdge& edge,
            std::vector<std::uint8_t>& flags)
       : points_(points), tree_(tree), edge_(edge), flags_(flags) {
-    length_ = norm(FlatPoint{edge.b.x - edge.a.x, edge.b.y - edge.a.y});
+    length_ = distance(edge.a, edge.b);
     along_ = {(edge.b.x - edge.a.x) / length_, (edge.b.y - edge.a.y) / length_};
   }
 

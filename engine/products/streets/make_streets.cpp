@@ -48,7 +48,7 @@ constexpr double kTrunkShare = 0.9;  // of the height from which crowns are take
 // many of its bins.
 constexpr double kPixelsFromAir = 4;  // least number of pixels of a candidate
 // Derived: two sampling steps, as a pixel is half of one; a surface may lack a point in between.
-constexpr std::uint32_t kPixelsApart = 4;  // least gap that parts several things
+constexpr std::uint32_t kPixelsApart = 4;  // pixels; a wider gap lies between two objects
 
 constexpr const char* kLeftOutFromAir =
     "streets: houses, gaps between them, kerbs and pavements are left out, as from the air they are hardly seen";

@@ -53,13 +53,12 @@ TEST(ObjectCandidates, PiecesWithinTwoSamplingStepsAreJoined) {
     fill_box(points, {x, 10, 4, 2}, 5);
   }
   ObjectCandidateParams params;
+  params.pixels_apart = 4;
   for (const std::uint32_t side : {16u, 60u}) {
-    EXPECT_EQ(candidates_of(height, points, side, {0.001, 0.15}, params).size(), 2u) << side;
-    params.pixels_apart = 4;
+    EXPECT_EQ(candidates_of(height, points, side, {0.001, 0.15}).size(), 2u) << side;
     const std::vector<ObjectCandidate> joined = candidates_of(height, points, side, {0.001, 0.15}, params);
     ASSERT_EQ(joined.size(), 3u) << side;
     EXPECT_EQ(joined[2].points, 2u * 8u * 5u);
-    params.pixels_apart = 0;
   }
 }
 
