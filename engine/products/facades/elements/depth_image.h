@@ -7,8 +7,8 @@
 #include <functional>
 #include <vector>
 
-#include "engine/products/facades/openings/located_edge.h"
 #include "engine/products/facades/rays/ray_samples.h"
+#include "engine/products/facades/sides/located_edge.h"
 
 namespace ilot {
 

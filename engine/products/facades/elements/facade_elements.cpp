@@ -150,6 +150,8 @@ FacadeElement element_of(const FacadeSite& site, const ElementCandidate& candida
   const auto hidden = static_cast<std::size_t>(std::count_if(
       r.sides.begin(), r.sides.end(), [](const LocatedEdge& edge) { return edge.status == DrawnStatus::occluded; }));
   e.reason = candidate.reason;
+  if (r.few_echoes)
+    e.reason = std::string("its pane sent back few of the rays") + (e.reason.empty() ? "" : "; ") + e.reason;
   if (r.no_echo) e.reason = words_of_silence(site, r) + (e.reason.empty() ? "" : "; ") + e.reason;
   if (hidden == r.sides.size()) e.status = DrawnStatus::occluded;
   e.width_m = r.box().width();

@@ -16,6 +16,7 @@
 #include "engine/products/facades/leaves/inset_leaves.h"
 #include "engine/products/facades/leaves/shutters.h"
 #include "engine/products/facades/leaves/standing_leaves.h"
+#include "engine/products/facades/openings/sparse_panes.h"
 #include "engine/products/facades/openings/unseen_areas.h"
 #include "engine/products/facades/rays/cell_bands.h"
 #include "engine/products/facades/rays/limited_parallel.h"
@@ -281,7 +282,8 @@ std::uint64_t facade_bytes(const FacadeSite& site, std::uint64_t points, std::si
   const double width = site.width + 2 * kAroundWall, height = site.height + 2 * kAroundWall;
   const double cell = cell_for(width, height, std::max(kLeastCell, 2 * site.step));
   return static_cast<std::uint64_t>(kCells * width * height / (cell * cell)) +
-         std::min(kBands + kSorting, kPoint * points) + concurrency * std::min(kPerWorker, kPoint * points);
+         sparse_pane_bytes(site.width, site.height) + std::min(kBands + kSorting, kPoint * points) +
+         concurrency * std::min(kPerWorker, kPoint * points);
 }
 
 FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, FacadeSteps* steps,

@@ -3,8 +3,8 @@
 #pragma once
 #include <vector>
 
-#include "engine/products/facades/openings/located_edge.h"
 #include "engine/products/facades/openings/wall_cells.h"
+#include "engine/products/facades/sides/located_edge.h"
 
 namespace ilot {
 

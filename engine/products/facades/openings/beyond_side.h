@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds how far something else than the wall goes on beyond a side of an opening, between the lines of its other sides.
 #pragma once
-#include "engine/products/facades/openings/located_edge.h"
 #include "engine/products/facades/rays/ray_samples.h"
+#include "engine/products/facades/sides/located_edge.h"
 
 namespace ilot {
 

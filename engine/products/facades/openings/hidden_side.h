@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is known of a side of an opening that something hides.
 #pragma once
-#include "engine/products/facades/openings/located_edge.h"
 #include "engine/products/facades/openings/wall_cells.h"
+#include "engine/products/facades/sides/located_edge.h"
 
 namespace ilot {
 

@@ -13,6 +13,7 @@
 #include "engine/products/facades/openings/region_parts.h"
 #include "engine/products/facades/openings/shallow_openings.h"
 #include "engine/products/facades/openings/silent_holes.h"
+#include "engine/products/facades/openings/sparse_panes.h"
 #include "engine/products/facades/openings/unseen_areas.h"
 #include "kernels/core/quantile.h"
 
@@ -374,9 +375,7 @@ std::vector<FoundRectangle> find_openings(const RaySamples& samples, const Openi
         if (hole.shows(i, seen.columns)) silent[i] = seen.what[i] == kUnknown, seen.what[i] = kThrough;
   const WallCells cells = filled(seen, params.shadow);
   if (steps != nullptr) steps->filled = cells;
-  const WidthOfWall width = [&](const CellBox& box, std::int64_t column) {
-    return pier_width(samples, cells.cell, box, column);
-  };
+  const WidthOfWall width = [&](const CellBox& box, std::int64_t c) { return pier_width(samples, cells.cell, box, c); };
   std::vector<FoundRectangle> found;
   for_each_region(
       cells, [&](std::size_t i) { return cells.what[i] == kThrough; },
@@ -392,6 +391,7 @@ std::vector<FoundRectangle> find_openings(const RaySamples& samples, const Openi
     if (const std::optional<FoundRectangle> pane = pane_in_hole(samples, seen, hole, through, params))
       found.push_back(*pane);
   join_panes(cells.cell, proven, found);
+  add_sparse_panes(find_sparse_panes(samples, params.least_size), found);
   if (unseen != nullptr) *unseen = unseen_areas(holes, found, seen, silent, params.least_size);
   return found;
 }

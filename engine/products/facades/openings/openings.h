@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "engine/products/facades/openings/located_edge.h"
 #include "engine/products/facades/openings/silent_holes.h"
 #include "engine/products/facades/openings/wall_cells.h"
 #include "engine/products/facades/rays/ray_samples.h"
+#include "engine/products/facades/sides/located_edge.h"
 
 namespace ilot {
 
@@ -51,6 +51,7 @@ struct FoundRectangle {
   std::array<double, 4> lean{};       // tangents of its sides, as kSides; a leaning side has the place of its middle
   std::optional<Box2> end;            // its rectangle at its depth, where that differs from its own rectangle
   bool no_echo = false;               // an opening from which hardly any of the rays that crossed it came back
+  bool few_echoes = false;            // a pane in the plane of the wall, known by the few rays that it sent back
   double at(Side s) const { return sides[static_cast<std::size_t>(s)].at; }
   double lean_of(Side s) const { return lean[static_cast<std::size_t>(s)]; }
   bool leans() const { return lean != std::array<double, 4>{}; }

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "engine/products/facades/openings/barred_holes.h"
-#include "engine/products/facades/openings/located_edge.h"
+#include "engine/products/facades/sides/located_edge.h"
 #include "kernels/core/portable_math.h"
 
 namespace ilot {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/products/facades/openings/face_cluster.h"
+#include "engine/products/facades/sides/face_cluster.h"
 
 #include <algorithm>
 #include <cmath>

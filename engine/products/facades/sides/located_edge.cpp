@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/products/facades/openings/located_edge.h"
+#include "engine/products/facades/sides/located_edge.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "engine/products/facades/openings/edge_bounds.h"
-#include "engine/products/facades/openings/face_cluster.h"
+#include "engine/products/facades/sides/edge_bounds.h"
+#include "engine/products/facades/sides/face_cluster.h"
 #include "kernels/core/quantile.h"
 #include "kernels/outlines/edge_split.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/products/facades/openings/located_edge.h"
+#include "engine/products/facades/sides/located_edge.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <utility>
 
-#include "engine/products/facades/openings/face_cluster.h"
+#include "engine/products/facades/sides/face_cluster.h"
 #include "tests/support/facade_sites.h"
 #include "tests/support/sampled_site.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/products/facades/openings/edge_bounds.h"
+#include "engine/products/facades/sides/edge_bounds.h"
 
 #include <gtest/gtest.h>
 
