@@ -164,25 +164,30 @@ class PaneJudge {
   std::optional<FoundRectangle> pane_at(const Box2& rough, double least_size) const {
     const bool at_foot = rough.v0 < kPaneFoot;
     if (at_foot && rough.height() < kLowestDoor) return std::nullopt;
-    const std::vector<Place2> flat = flat_about(rough.grown(band_));
+    const std::vector<Place2> flat = flat_about(rough.grown(2 * band_));
     FoundRectangle pane;
     pane.few_echoes = true;
-    double wall = 0;
-    int sides = 0;
-    for (const Side side : kSides) {
-      if (side == Side::bottom && at_foot) {
-        pane.side(side) = {0, kPaneFoot, DrawnStatus::occluded};
-        continue;
+    std::vector<double> walls;  // points a square metre beyond each side
+    Box2 box = rough;
+    // The second time from where the sides were found: those of a shadow that slants are not found again.
+    for (int round = 0; round < 2; ++round) {
+      walls.clear();
+      for (const Side side : kSides) {
+        if (side == Side::bottom && at_foot) {
+          pane.side(side) = {0, kPaneFoot, DrawnStatus::occluded};
+          continue;
+        }
+        const std::optional<double> density = locate(flat, box, side, pane.side(side));
+        if (!density) return std::nullopt;
+        walls.push_back(*density);
       }
-      const std::optional<double> density = locate(flat, rough, side, pane.side(side));
-      if (!density) return std::nullopt;
-      wall += *density, ++sides;
+      box = pane.box();
+      if (std::min(box.width(), box.height()) < least_size || common_area(box, rough) < kOneBox * area_of(rough))
+        return std::nullopt;
     }
-    const Box2 box = pane.box();
-    if (std::min(box.width(), box.height()) < least_size || common_area(box, rough) < kOneBox * area_of(rough))
-      return std::nullopt;
+    const double wall = std::accumulate(walls.begin(), walls.end(), 0.0) / static_cast<double>(walls.size());
     const PaneView view = view_of(box);
-    if (!is_sparse(view, wall / sides) || has_pier(view.core, wall / sides)) return std::nullopt;
+    if (!is_sparse(view, wall) || has_pier(view.core, wall)) return std::nullopt;
     pane.points = view.behind;
     return pane;
   }
@@ -213,15 +218,19 @@ class PaneJudge {
     const double from = place_of(rough, side), along = high - low - 2 * cut;
     const double in = std::min(band_, (u ? rough.width() : rough.height()) / 2);
     std::vector<double> places;  // outwards from the side of the box
+    std::vector<Place2> beside;  // along the side, as a share of it, and outwards
     for (const Place2& p : flat) {
       const double across = outwards(side) * ((u ? p.u : p.v) - from), at = u ? p.v : p.u;
-      if (at >= low + cut && at <= high - cut && across >= -in && across <= band_) places.push_back(across);
+      if (at < low + cut || at > high - cut || across < -in || across > band_) continue;
+      places.push_back(across);
+      beside.push_back({(at - low - cut) / along, across});
     }
     std::sort(places.begin(), places.end());
     const DensityStep step = density_step(places, -in, band_);
     if (!step.found || static_cast<double>(places.size()) < kFewestBeside || step.below > kFewer * step.above ||
         step.likelihood < kSurely)
       return std::nullopt;
+    if (!is_straight(beside, step.at)) return std::nullopt;
     const double line = std::sqrt(along / step.above);  // the mean distance of points of the wall
     if (step.high - step.low > 2 * std::max(kSharpest, kSharpLines * line)) return std::nullopt;
     // The first point of the wall lies up to a line of the scan beyond the side.
@@ -231,6 +240,21 @@ class PaneJudge {
     edge.form = edge.error + kFrame;
     edge.points = places.size();
     return step.above / along;
+  }
+
+  // Whether there is wall just beyond each third of a side and none just before it: a slanting shadow goes on beyond a
+  // part of a side, and ends before another part.
+  static bool is_straight(const std::vector<Place2>& beside, double step) {
+    std::array<double, 3> wall{}, pane{};
+    for (const Place2& p : beside) {
+      if (std::abs(p.v - step) > kWidestBar) continue;
+      const auto third = std::min<std::size_t>(2, static_cast<std::size_t>(3 * p.u));
+      ++(p.v >= step ? wall : pane)[third];
+    }
+    // By half, and by more than a standard deviation.
+    const double mean = (wall[0] + wall[1] + wall[2]) / 3;
+    return *std::min_element(wall.begin(), wall.end()) >= kFewer * mean - std::sqrt(mean) &&
+           *std::max_element(pane.begin(), pane.end()) <= kFewer * mean + std::sqrt(mean);
   }
 
   PaneView view_of(const Box2& box) const {
@@ -260,7 +284,10 @@ class PaneJudge {
     const double expected = wall * area_of(view.core);
     const double inside = std::accumulate(view.quarters.begin(), view.quarters.end(), 0.0);
     if (inside < std::max(kFewestOnPane, kLeastShare * expected) || inside > kFewer * expected) return false;
-    if (view.stopped > kMostHidden * expected || std::count(view.quarters.begin(), view.quarters.end(), 0.0) > 0)
+    if (view.stopped > kMostHidden * expected) return false;
+    // All over it: a corner that is wall is that of a shadow.
+    if (std::any_of(view.quarters.begin(), view.quarters.end(),
+                    [&](double n) { return n == 0 || n > kFewer * expected / 4; }))
       return false;
     return std::all_of(view.flat.begin(), view.flat.end(), [&](const auto& station) {
       const double of_station = station.second[1] / view.ring * area_of(view.core);

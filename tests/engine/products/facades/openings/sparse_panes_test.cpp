@@ -114,6 +114,12 @@ TEST(SparsePanes, AWidePierPartsTwoPanesAndABarDoesNot) {
   EXPECT_EQ(parted_by(0.4).size(), 2u);
 }
 
+TEST(SparsePanes, ASlantingSideIsThatOfAShadow) {
+  EXPECT_TRUE(panes_of(thinned([](double u, double v) {
+                return v > 1 && v < 2.8 && u > 2.4 && u < 2.4 + 1.2 * std::min(1.0, (2.8 - v) / 1.1) ? 0.2 : 1;
+              })).empty());
+}
+
 TEST(SparsePanes, ADoorBeginsAtTheFootAndAFenceCastsNoDoor) {
   const auto up_to = [](double top) {
     return panes_of(thinned([=](double u, double v) { return u > 2 && u < 3.1 && v < top ? 0.2 : 1; }));
