@@ -50,9 +50,10 @@ constexpr double kSharpest = 0.03;  // Choice: the width of a joint; metres
 // Choice: a fifth may be hidden by a lamp or a cable; what hides more explains the few echoes.
 constexpr double kMostHidden = 0.2;  // rays that ended before a pane over points on as much wall
 // Choice: frames of casements are 4 to 8 cm wide; one in the plane of the wall looks like the wall.
-constexpr double kFrame = 0.06;          // metres by which an opening may be larger than its glass
-constexpr double kSmallest = 0.4;        // Choice: smaller ones alone are dark paint and signs; metres
-constexpr double kFewestOfStation = 12;  // Derived: as kLeastRays in silent_holes.cpp
+constexpr double kFrame = 0.06;               // metres by which an opening may be larger than its glass
+constexpr double kSmallest = 0.4;             // Choice: smaller ones alone are dark paint and signs; metres
+constexpr std::uint64_t kMostFlat = 1 << 17;  // points about a pane; more do not improve the result
+constexpr double kFewestOfStation = 12;       // Derived: as kLeastRays in silent_holes.cpp
 // Derived: the middle between as many points as on the wall and half of them.
 constexpr double kPier = 0.75;   // points of a pier over those of the wall beside the pane, at least
 constexpr double kOneBox = 0.5;  // Derived: a majority; intersection over union of one opening found twice
@@ -164,7 +165,7 @@ class PaneJudge {
   std::optional<FoundRectangle> pane_at(const Box2& rough, double least_size) const {
     const bool at_foot = rough.v0 < kPaneFoot;
     if (at_foot && rough.height() < kLowestDoor) return std::nullopt;
-    const std::vector<Place2> flat = flat_about(rough.grown(2 * band_));
+    const FlatPoints flat = flat_about(rough.grown(2 * band_));
     FoundRectangle pane;
     pane.few_echoes = true;
     std::vector<double> walls;  // points a square metre beyond each side
@@ -203,23 +204,33 @@ class PaneJudge {
     std::uint64_t behind = 0;                           // rays through the core
   };
 
-  std::vector<Place2> flat_about(const Box2& box) const {
-    std::vector<Place2> flat;
-    for (const Ray& ray : samples_.near(box))
-      if (const Place2 p = samples_.crossing(ray, 0); is_flat(ray) && box.contains(p)) flat.push_back(p);
+  // The flat points in a box, or where these are many a sample of them; each stands for `each` points.
+  struct FlatPoints {
+    std::vector<Place2> places;
+    double each = 1;
+  };
+
+  FlatPoints flat_about(const Box2& box) const {
+    FlatPoints flat;
+    Rays near = samples_.near(box);
+    const auto counts = [&](const Ray& ray) { return is_flat(ray) && box.contains(samples_.crossing(ray, 0)); };
+    const int level = thinning_level(near, kMostFlat, counts);
+    for (int i = 0; i < level; ++i) flat.each *= 2;
+    for (const Ray& ray : near)
+      if (is_kept(ray, level) && counts(ray)) flat.places.push_back(samples_.crossing(ray, 0));
     return flat;
   }
 
   // Finds a side, and gives the density of the wall beyond it in points a square metre; nothing if there is no sharp
   // step.
-  std::optional<double> locate(const std::vector<Place2>& flat, const Box2& rough, Side side, LocatedEdge& edge) const {
+  std::optional<double> locate(const FlatPoints& flat, const Box2& rough, Side side, LocatedEdge& edge) const {
     const bool u = along_u(side);
     const double low = u ? rough.v0 : rough.u0, high = u ? rough.v1 : rough.u1, cut = kEnds * (high - low);
     const double from = place_of(rough, side), along = high - low - 2 * cut;
     const double in = std::min(band_, (u ? rough.width() : rough.height()) / 2);
     std::vector<double> places;  // outwards from the side of the box
     std::vector<Place2> beside;  // along the side, as a share of it, and outwards
-    for (const Place2& p : flat) {
+    for (const Place2& p : flat.places) {
       const double across = outwards(side) * ((u ? p.u : p.v) - from), at = u ? p.v : p.u;
       if (at < low + cut || at > high - cut || across < -in || across > band_) continue;
       places.push_back(across);
@@ -231,7 +242,7 @@ class PaneJudge {
         step.likelihood < kSurely)
       return std::nullopt;
     if (!is_straight(beside, step.at)) return std::nullopt;
-    const double line = std::sqrt(along / step.above);  // the mean distance of points of the wall
+    const double line = std::sqrt(along / (flat.each * step.above));  // the mean distance of points of the wall
     if (step.high - step.low > 2 * std::max(kSharpest, kSharpLines * line)) return std::nullopt;
     // The first point of the wall lies up to a line of the scan beyond the side.
     const double at = step.at - line / 2;
@@ -239,7 +250,7 @@ class PaneJudge {
     edge.error = std::max({at - step.low, step.high - at, line / 2}) + samples_.site().noise;
     edge.form = edge.error + kFrame;
     edge.points = places.size();
-    return step.above / along;
+    return flat.each * step.above / along;
   }
 
   // Whether there is wall just beyond each third of a side and none just before it: a slanting shadow goes on beyond a
@@ -299,7 +310,9 @@ class PaneJudge {
   bool has_pier(const Box2& core, double wall) const {
     const auto strips_of = [](double length) { return static_cast<std::size_t>(2 * length / kWidestBar) + 1; };
     std::vector<double> columns(strips_of(core.width()), 0), rows(strips_of(core.height()), 0);
-    for (const Place2& p : flat_about(core)) {
+    for (const Ray& ray : samples_.near(core)) {
+      const Place2 p = samples_.crossing(ray, 0);
+      if (!is_flat(ray) || !core.contains(p)) continue;
       ++columns[static_cast<std::size_t>(2 * (p.u - core.u0) / kWidestBar)];
       ++rows[static_cast<std::size_t>(2 * (p.v - core.v0) / kWidestBar)];
     }
