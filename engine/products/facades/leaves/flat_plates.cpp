@@ -248,8 +248,7 @@ std::vector<FlatPlate> marked_plates(const RaySamples& samples, const TrendSurfa
     std::vector<float> outs;
     for (const std::uint32_t i : region.cells) outs.push_back(relief.out[i]);
     const double out = upper_median(outs);
-    const Box2 box{static_cast<double>(b->c0) * cells.cell, static_cast<double>(b->c1 + 1) * cells.cell,
-                   static_cast<double>(b->r0) * cells.cell, static_cast<double>(b->r1 + 1) * cells.cell};
+    const Box2 box = box_in_metres(*b, cells.cell);
     FlatPlate plate{located_plate(samples, form, box, out, cells.cell), {}};
     plate.shape.fill = std::min(1.0, fill_of(region, *b));
     if (std::min(plate.shape.box().width(), plate.shape.box().height()) < kNarrowestPlate) continue;

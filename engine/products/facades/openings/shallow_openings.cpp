@@ -257,8 +257,7 @@ std::vector<Box2> boxes_behind(const WallMeans& means, const WallCells& cells, d
       [&](const CellRegion& region) {
         const CellBox b = box_of(region, marks.columns);
         const double fill = static_cast<double>(region.cells.size()) / static_cast<double>(b.columns() * b.rows());
-        const Box2 box{static_cast<double>(b.c0) * marks.cell, static_cast<double>(b.c1 + 1) * marks.cell,
-                       static_cast<double>(b.r0) * marks.cell, static_cast<double>(b.r1 + 1) * marks.cell};
+        const Box2 box = box_in_metres(b, marks.cell);
         if (fill >= kPaneFill && std::min(box.width(), box.height()) >= params.least_size &&
             std::max(box.width(), box.height()) <= kLargestPane)
           boxes.push_back(box);

@@ -77,11 +77,6 @@ struct ViewedHole {
   std::vector<bool> behind;  // per cell of the box: a ray through it ended behind the wall
 };
 
-Box2 box_in_metres(const CellBox& box, double cell) {
-  return {static_cast<double>(box.c0) * cell, static_cast<double>(box.c1 + 1) * cell,
-          static_cast<double>(box.r0) * cell, static_cast<double>(box.r1 + 1) * cell};
-}
-
 // The side of a box beside which a place is; none for places inside and beyond the corners.
 std::optional<Side> side_beside(const Box2& box, Place2 p) {
   const bool in_u = p.u >= box.u0 && p.u < box.u1, in_v = p.v >= box.v0 && p.v < box.v1;

@@ -345,8 +345,7 @@ void add_panes_of(const RaySamples& samples, CountImage& image, double least_siz
             count > kMostOfFront * static_cast<double>(grid.what.size()) ||
             straight_share(region, box, grid.columns) < kStraightSparse)
           return;
-        const Box2 rough{static_cast<double>(box.c0) * grid.cell, static_cast<double>(box.c1 + 1) * grid.cell,
-                         static_cast<double>(box.r0) * grid.cell, static_cast<double>(box.r1 + 1) * grid.cell};
+        const Box2 rough = box_in_metres(box, grid.cell);
         if (std::min(rough.width(), rough.height()) < least_size) return;
         if (std::optional<FoundRectangle> pane = judge.pane_at(rough, least_size)) panes.push_back(std::move(*pane));
       });

@@ -97,6 +97,11 @@ struct CellBox {
   std::int64_t rows() const { return r1 - r0 + 1; }
 };
 
+inline Box2 box_in_metres(const CellBox& box, double cell) {
+  return {static_cast<double>(box.c0) * cell, static_cast<double>(box.c1 + 1) * cell,
+          static_cast<double>(box.r0) * cell, static_cast<double>(box.r1 + 1) * cell};
+}
+
 // The box of a region: its sides are where the farthest rows and columns end, except for a few. Shadows end other rows
 // too early, and single cells go beyond.
 CellBox box_of(const CellRegion& region, std::int64_t columns);
