@@ -91,6 +91,23 @@ TEST(WallGroups, PiecesOfOneWallAndItsReliefStayTogether) {
   EXPECT_EQ(walls[0].parallel.size(), 1u);
 }
 
+// A part of two storeys that stands before its wall is relief of it and a facade; a bay of one storey, a pilaster and
+// the poles of a scaffold are relief alone.
+TEST(WallGroups, AnAvantCorpsIsReliefAndAFacade) {
+  Segment scaffold = upright(5, 0, 24, 28, 0, 9, 0.6);
+  scaffold.area_m2 = 9;
+  const std::vector<Segment> segments{upright(1, 0, 0, 30, 0, 9, 0), upright(2, 0, 10, 16, 0, 9, 0.4),
+                                      upright(3, 0, 2, 6, 3, 6, 0.8), upright(4, 0, 20, 21, 0, 9, 0.2), scaffold};
+  std::vector<SegmentEnds> ends;
+  for (const Segment& s : segments) ends.push_back(ends_of(s));
+  const auto walls = find_walls(segments, {std::vector<Vec3>{{12, -10, 1}}, {}}, {}, ends);
+  ASSERT_EQ(walls.size(), 2u);
+  EXPECT_EQ(walls[0].segments, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(walls[0].parallel.size(), 4u);
+  EXPECT_EQ(walls[1].segments, std::vector<std::uint32_t>{2});
+  EXPECT_NEAR(walls[1].width, 6, 1e-6);
+}
+
 // Fields that are narrower than a wall, and planes over two pilasters each, which are wide enough to be walls.
 TEST(WallGroups, FieldsBetweenPilastersAreOneWall) {
   std::vector<Segment> segments;
@@ -225,6 +242,9 @@ std::vector<Segment> town(std::uint64_t seed) {
       add(heading, at, u, u + 0.8 + rng.uniform(), height + rng.uniform(), height + 2, -2 * rng.uniform());
     }
   }
+  for (int house = 0; house < 10; ++house)
+    add(36 * house, {651000 + 15.0 * house, 6861060, 40}, 0, 12, 0, 9, 0),
+        add(36 * house, {651000 + 15.0 * house, 6861060, 40}, 3, 8, 0, 8.5, 0.05 + 0.1 * house);  // from 0.15 m on an avant-corps
   segments.push_back(level(static_cast<std::uint32_t>(segments.size() + 1)));
   return segments;
 }
