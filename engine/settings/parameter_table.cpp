@@ -232,6 +232,8 @@ Parameters facades_parameters() {
            "sizes and lines that differ by less may have been meant equal"),
       make("facades.regularise", ILOT_FIELD(facades.regularise), {}, "",
            "rows, columns and families line up, each edge within its own error"),
+      make("facades.keep_unlikely", ILOT_FIELD(facades.keep_unlikely), {}, "",
+           "openings that are more likely none are drawn as openings, not as possible ones"),
       make("facades.scale", ILOT_FIELD(facades.scale), {1, 10000}, "", "drawings are 1 : scale on paper"),
       with_choices(make("facades.layers", ILOT_FIELD(facades.layers), {}, "",
                         "whose layers drawings have; ilot draw takes an office's own"),

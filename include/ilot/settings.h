@@ -133,6 +133,7 @@ struct FacadesSettings {
   double least_opening = 0.3;                       // metres; width and height of a window
   double alike = 0.04;                              // metres; what differs by less may have been meant equal
   bool regularise = true;                           // rows, columns and families line up within their errors
+  bool keep_unlikely = false;                       // openings that are more likely none stay openings
   double scale = 50;                                // of drawings, 1 : scale
   LayerNames layers = LayerNames::ilot;             // of drawings
   SheetLanguage language = SheetLanguage::english;  // of drawings

@@ -10,6 +10,7 @@
 #include "engine/pass/resident.h"
 #include "engine/products/facades/elements/facade_elements.h"
 #include "engine/products/facades/elements/facade_model.h"
+#include "engine/products/facades/elements/opening_odds.h"
 #include "engine/products/facades/elements/outside_wall.h"
 #include "engine/products/facades/facade_drawings.h"
 #include "engine/products/facades/facade_edit_step.h"
@@ -340,6 +341,8 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   find_each({settings, inputs, context, concurrency, observer}, dormers, tasks, *run);
   for (WallGroup& wall : run->walls) include_sparse_parts(wall, context.metres_per_unit);
   drop_same_openings(run->found, context.metres_per_unit);
+  if (settings.facades.regularise && !settings.facades.keep_unlikely)
+    for (FoundFacade& f : run->found) f.occluded_edges -= keep_likely_openings(f.facade, context.metres_per_unit);
   edits.edit(run->found);
   std::vector<WallGroup> known = run->walls;
   known.insert(known.end(), screens.begin(), screens.end());

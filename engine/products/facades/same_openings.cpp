@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <vector>
 
 #include "engine/products/facades/elements/facade_elements.h"
@@ -95,24 +94,6 @@ std::vector<DrawnOpening> drawn_openings(std::span<const FoundFacade> found, boo
   return openings;
 }
 
-// Families of one member are none.
-void dissolve_families_of_one(std::vector<FacadeElement>& elements) {
-  std::map<std::uint32_t, std::size_t> members;
-  for (const FacadeElement& e : elements) ++members[e.family];
-  for (FacadeElement& e : elements)
-    if (members[e.family] == 1) e.family = 0;
-}
-
-void remove_dropped(const std::vector<bool>& dropped, std::vector<FacadeElement>& elements) {
-  if (std::find(dropped.begin(), dropped.end(), true) == dropped.end()) return;
-  std::vector<FacadeElement> left;
-  for (std::size_t i = 0; i < elements.size(); ++i)
-    if (!dropped[i]) left.push_back(std::move(elements[i]));
-  elements = std::move(left);
-  dissolve_families_of_one(elements);
-  for (std::uint32_t k = 0; k < elements.size(); ++k) elements[k].id = k + 1;
-}
-
 }  // namespace
 
 void drop_same_openings(std::span<FoundFacade> found, double metres_per_unit) {
@@ -137,7 +118,7 @@ void drop_same_openings(std::span<FoundFacade> found, double metres_per_unit) {
     found[o.facade].occluded_edges -= o.unseen;
   }
   for (const DrawnOpening& o : drawn_openings(found, true)) dropped[o.facade][o.element] = known(o, false);
-  for (std::size_t f = 0; f < found.size(); ++f) remove_dropped(dropped[f], found[f].facade.elements);
+  for (std::size_t f = 0; f < found.size(); ++f) remove_elements(dropped[f], found[f].facade.elements);
 }
 
 }  // namespace ilot

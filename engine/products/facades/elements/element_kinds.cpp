@@ -14,8 +14,6 @@ namespace {
 constexpr double kDoorLine = 0.25;  // metres between the tops of doors in one row
 // Choice: a course of stone between an opening and its sill; a sill lower than that becomes a bulge.
 constexpr double kBesideOpening = 0.3;  // metres between an opening and its sill or lintel
-// Choice: sills between deep reveals are shorter than the opening; a sill broken by a pipe becomes a bulge.
-constexpr double kUnder = 0.7;  // share of the width of the opening that a sill or a lintel covers
 // Choice: a keystone as high as a third of its width is no lintel and becomes a bulge.
 constexpr double kLongerThanHigh = 2.5;  // width over height of sills and lintels, at least
 // Choice: a band broken at every window may be shorter and becomes bulges.

@@ -7,6 +7,9 @@
 
 namespace ilot {
 
+// Choice: sills between deep reveals are shorter than the opening; a sill broken by a pipe becomes a bulge.
+constexpr double kUnder = 0.7;  // share of the width of the opening that a sill or a lintel covers
+
 // Sizes that decide the kinds, in metres.
 struct ElementKindParams {
   double door_height = 1.8;     // of a door, at least

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "engine/products/facades/elements/element_kinds.h"
 #include "engine/products/facades/openings/pointed_top.h"
@@ -107,6 +108,14 @@ HeadedRing pointed_ring(const FacadeSite& site, const FoundRectangle& r) {
 
 double both(double a, double b) {
   return std::sqrt(a * a + b * b);
+}
+
+// Families of one member are none.
+void dissolve_families_of_one(std::vector<FacadeElement>& elements) {
+  std::map<std::uint32_t, std::size_t> members;
+  for (const FacadeElement& e : elements) ++members[e.family];
+  for (FacadeElement& e : elements)
+    if (members[e.family] == 1) e.family = 0;
 }
 
 // Whether the edges of an element after the second one are the chords of a head and then its left side.
@@ -235,6 +244,16 @@ std::uint64_t unseen_sides(const FacadeElement& e) {
   // The edges of a head lie between the right side and the left side, which is the last one.
   return static_cast<std::uint64_t>(unseen(e.edges[0])) + unseen(e.edges[1]) + unseen(e.edges[2]) +
          unseen(e.edges.back());
+}
+
+void remove_elements(const std::vector<bool>& removed, std::vector<FacadeElement>& elements) {
+  if (std::find(removed.begin(), removed.end(), true) == removed.end()) return;
+  std::vector<FacadeElement> left;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    if (!removed[i]) left.push_back(std::move(elements[i]));
+  elements = std::move(left);
+  dissolve_families_of_one(elements);
+  for (std::uint32_t k = 0; k < elements.size(); ++k) elements[k].id = k + 1;
 }
 
 void state_size_errors(FacadeElement& e) {

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "engine/model/facade.h"
 #include "engine/products/facades/elements/irregularities.h"
@@ -31,6 +32,10 @@ FacadeElement irregularity_of(const FacadeSite& site, const Irregularity& irregu
 
 // The number of sides of an element that are drawn although they were not seen. An opening has four, whatever its form.
 std::uint64_t unseen_sides(const FacadeElement& element);
+
+// Removes the elements that are marked. A family of which one member is left is none, and the elements are numbered
+// anew. O(n log n).
+void remove_elements(const std::vector<bool>& removed, std::vector<FacadeElement>& elements);
 
 // States the errors of width and height of an element with four sides: the root of the sum of the squares of the stated
 // errors of the two sides that a size lies between, which are independent of each other. Of a head that has several

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/products/facades/elements/element_box.h"
+
 namespace ilot {
 namespace {
 
@@ -32,21 +34,10 @@ bool may_be_wall(ElementKind kind) {
   return kind == ElementKind::recess || kind == ElementKind::protrusion;
 }
 
-Place2 local(const Facade& f, Vec3 place, double metres) {
-  const Vec3 d = metres * (place - f.origin);
-  return {dot(d, f.right), dot(d, f.up)};
-}
-
-Box2 local_box(const Facade& f, const FacadeElement& e, double metres) {
-  std::vector<Place2> ring;
-  for (const Vec3& p : e.ring) ring.push_back(local(f, p, metres));
-  return box_of(ring);
-}
-
 // Moves the corners of a ring that are outside of a box to its border.
 void cut_ring(const Facade& f, const Box2& wall, double metres, FacadeElement& e) {
   for (Vec3& p : e.ring) {
-    const Place2 at = local(f, p, metres);
+    const Place2 at = local_place(f, p, metres);
     const double u = std::clamp(at.u, wall.u0, wall.u1) - at.u, v = std::clamp(at.v, wall.v0, wall.v1) - at.v;
     if (u != 0 || v != 0) p = p + (u / metres) * f.right + (v / metres) * f.up;
   }
@@ -56,8 +47,8 @@ void cut_ring(const Facade& f, const Box2& wall, double metres, FacadeElement& e
 void drop_needless_corners(const Facade& f, double metres, FacadeElement& e) {
   for (std::size_t i = 0; i < e.ring.size() && e.ring.size() > 2;) {
     const std::size_t n = e.ring.size();
-    const Place2 a = local(f, e.ring[(i + n - 1) % n], metres), b = local(f, e.ring[i], metres),
-                 c = local(f, e.ring[(i + 1) % n], metres);
+    const Place2 a = local_place(f, e.ring[(i + n - 1) % n], metres), b = local_place(f, e.ring[i], metres),
+                 c = local_place(f, e.ring[(i + 1) % n], metres);
     const auto same = [](double x, double y) { return std::abs(x - y) < kRounding; };
     if ((same(a.u, b.u) && same(b.u, c.u)) || (same(a.v, b.v) && same(b.v, c.v))) {
       e.ring.erase(e.ring.begin() + static_cast<std::ptrdiff_t>(i));

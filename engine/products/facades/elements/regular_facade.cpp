@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "engine/products/facades/elements/element_kinds.h"
 #include "kernels/core/quantile.h"
 #include "kernels/outlines/agreement.h"
 
@@ -15,8 +16,6 @@ namespace {
 constexpr double kBesideShadow = 0.03;  // metres beyond a gap in which the top of a sill may be
 // Choice: a sill of 20 cm seen at 70 degrees hides 55 cm above it; steeper rays hide more.
 constexpr double kHighestShadow = 0.6;  // metres above its top that a sill hides
-// Choice: the value of element_kinds.cpp, where sills are found.
-constexpr double kUnder = 0.7;  // share of the width of an opening that its sill covers
 
 // Derived: an opening that was found has half in common with the true one. Of two rectangles, one within the other, the
 // smaller one is the share of the larger one that they have in common.
