@@ -110,11 +110,13 @@ inline double common_share(const WallGroup& front, const WallGroup& other, doubl
   return std::max(across, 0.0) * std::max(up, 0.0) / (front.width * front.height);
 }
 
-// Two storeys high, 10 cm before the wall, and its points cover half of its box.
-inline bool is_avant_corps(const Extent& e, const Segment& s, const WallParams& params) {
+// Two storeys high, or a storey that stands back along half of the wall; 10 cm off.
+inline bool is_wall_of_its_own(const Extent& e, const Segment& s, double wall_width, const WallParams& params) {
   const double width = e.u1 - e.u0, height = e.v1 - e.v0;
-  return e.w0 > 0.1 && width >= params.least_width && height >= 4 &&
-         s.area_m2 >= std::max(params.least_area, 0.5 * width * height);
+  if (std::abs(e.w0) <= 0.1 || width < params.least_width || s.area_m2 < params.least_area) return false;
+  if (height >= 4) return s.area_m2 >= 0.5 * width * height;
+  return e.w0 < 0 && height >= params.least_height && width >= 4 && width >= 0.5 * wall_width &&
+         s.area_m2 >= 0.3 * width * height;
 }
 
 // Claims the segments that are parallel to the wall and along it, so that a balcony or a shop front does not become a
@@ -134,7 +136,7 @@ inline void claim_relief(std::span<const Segment> segments, const std::vector<st
     const double beside = std::min(e.v1, group.height) - std::max(e.v0, 0.0);
     if (s.area_m2 >= params.least_area && beside < kInside * (e.v1 - e.v0))
       continue;  // an upper storey that stands back
-    if (!is_avant_corps(e, s, params)) taken[i] = 1;
+    if (!is_wall_of_its_own(e, s, group.width, params)) taken[i] = 1;
     group.parallel.push_back({s.id, s.points});
   }
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "engine/deliverables/drawings/drawing_sheet.h"
@@ -66,7 +67,11 @@ std::vector<std::pair<DrawingRole, std::string>> legend_of(const Drawing& drawin
 // All elements of a row in the axes of the whole row.
 Facade whole_row(std::span<const Facade> houses, double metres_per_unit) {
   Facade row = houses.front();
-  const Facade& last = houses.back();
+  const auto end_of = [&](const Facade& f) {
+    return dot(f.origin + (f.width_m / metres_per_unit) * f.right - row.origin, row.right);
+  };
+  const Facade& last = *std::max_element(houses.begin(), houses.end(),
+                                         [&](const Facade& a, const Facade& b) { return end_of(a) < end_of(b); });
   const Vec3 across = last.origin + (last.width_m / metres_per_unit) * last.right - row.origin;
   const Vec3 level{across.x, across.y, 0};
   if (norm(level) > 0) row.right = (1 / norm(level)) * level;
@@ -96,10 +101,14 @@ double step_between(const Facade& left, const Facade& house, double metres_per_u
 
 void add_house_texts(std::span<const Facade> houses, const Facade& row, double metres_per_unit, double below,
                      SheetLanguage language, Drawing& drawing) {
-  constexpr double kTextMm = 2.5, kLineMm = 4;
+  constexpr double kTextMm = 2.5, kLineMm = 4, kBesideMm = 25;
+  double last_x = -INFINITY;
+  std::size_t lower = 0;  // lines below which the text begins, so that houses before each other have theirs in turn
   for (std::size_t i = 0; i < houses.size(); ++i) {
     const Facade& house = houses[i];
     const FlatPoint at = flat_place(row, house.origin, metres_per_unit);
+    lower = at.x < last_x + drawing.paper_mm(kBesideMm) ? lower + 4 : 0;
+    last_x = at.x;
     std::vector<std::string> lines{phrase(language, SheetPhrase::facade, house.id),
                                    number_text(house.width_m, 2, drawing.decimal_comma) + " m"};
     if (i > 0) {
@@ -110,7 +119,7 @@ void add_house_texts(std::span<const Facade> houses, const Facade& row, double m
     for (std::size_t k = 0; k < lines.size(); ++k) {
       DrawingText text;
       text.role = DrawingRole::dimension;
-      text.x = at.x, text.y = below - drawing.paper_mm(kLineMm * static_cast<double>(k + 1));
+      text.x = at.x, text.y = below - drawing.paper_mm(kLineMm * static_cast<double>(lower + k + 1));
       text.height = drawing.paper_mm(kTextMm);
       text.text = lines[k];
       add_fitting_text(std::move(text), house.width_m, drawing);

@@ -170,21 +170,28 @@ double common_share(const WallGroup& front, const WallGroup& other, double metre
   return std::max(across, 0.0) * std::max(up, 0.0) / (front.width * front.height);
 }
 
-// Whether relief of a wall is a wall of its own too: as high as two storeys, and before the wall.
-bool is_avant_corps(const WallExtent& e, const Segment& s, const WallParams& params) {
-  // Choice: pilasters and leaves stand out by less.
-  constexpr double kBefore = 0.1;  // metres before its wall
+// Whether relief of a wall is a wall of its own too: what is as high as two storeys before the wall or behind it, and a
+// storey that stands back.
+bool is_wall_of_its_own(const WallExtent& e, const Segment& s, double wall_width, const WallParams& params) {
+  // Choice: pilasters, leaves and panes are nearer to their wall.
+  constexpr double kOff = 0.1;  // metres before or behind its wall
   // Choice: fronts of balconies, bays of one storey, vans and hedges are lower.
-  constexpr double kHigh = 4;  // metres
+  constexpr double kTwoStoreys = 4;  // metres
   // Derived: a majority; scaffolds and fences cover less of their boxes.
   constexpr double kCovered = 0.5;  // share of its box that its points cover
+  // Choice: a storey of which windows take more is glass.
+  constexpr double kCoveredStorey = 0.3;  // the same of a storey, half of whose length may be windows
+  // Derived: a majority; shop windows and niches are narrower.
+  constexpr double kStoreyShare = 0.5;  // share of the width of its wall that a storey takes
   const double width = e.u1 - e.u0, height = e.v1 - e.v0;
-  return e.w0 > kBefore && width >= params.least_width && height >= kHigh &&
-         s.area_m2 >= std::max(params.least_area, kCovered * width * height);
+  if (std::abs(e.w0) <= kOff || width < params.least_width || s.area_m2 < params.least_area) return false;
+  if (height >= kTwoStoreys) return s.area_m2 >= kCovered * width * height;
+  return e.w0 < 0 && height >= params.least_height && width >= kTwoStoreys && width >= kStoreyShare * wall_width &&
+         s.area_m2 >= kCoveredStorey * width * height;
 }
 
 // Claims segments that are parallel to the wall and along it, so that a balcony or a shop front does not become a
-// facade; an avant-corps is relief of its wall and becomes a facade. The segments of the wall are in order.
+// facade; what is a wall of its own is relief and becomes a facade. The segments of the wall are in order.
 void claim_relief(const SegmentGrid& grid, std::vector<char>& taken, const WallParams& params,
                   std::span<const KnownPart> parts, WallGroup& group) {
   const double least_cos = cos_degrees(kParallelDeg);
@@ -206,7 +213,7 @@ void claim_relief(const SegmentGrid& grid, std::vector<char>& taken, const WallP
     if (s.area_m2 >= params.least_area && beside < kInside * (e.v1 - e.v0))
       continue;  // an upper storey that is set back
     if (!parts.empty() && is_beside(e, s, parts, params)) continue;
-    if (!is_avant_corps(e, s, params)) taken[grid.index(k)] = 1;
+    if (!is_wall_of_its_own(e, s, group.width, params)) taken[grid.index(k)] = 1;
     group.parallel.push_back({s.id, s.points});
   }
 }

@@ -21,6 +21,15 @@ TEST(FacadeRows, HousesSideBySideAreARowFromLeftToRight) {
   EXPECT_EQ(rows[0], (std::vector<std::size_t>{1, 2, 0}));
 }
 
+TEST(FacadeRows, WhatStandsBeforeOrBehindAWallIsInItsRow) {
+  Facade avant_corps = house_at(-0.05, 5, -0.4), floor = house_at(1, 17, 0.13);
+  floor.height_m = 3;
+  const std::vector<Facade> facades{house_at(0, 18, 0), house_at(18, 8, 0), avant_corps, floor};
+  const auto rows = facade_rows(facades, {});
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0], (std::vector<std::size_t>{0, 2, 3, 1}));
+}
+
 TEST(FacadeRows, StoreysCornersAndTheOtherSideAreNone) {
   Facade corner = house_at(8, 8, 0), opposite = house_at(16, 8, 0);
   corner.right = {0, 1, 0}, corner.out = {1, 0, 0};

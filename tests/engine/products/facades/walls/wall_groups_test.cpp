@@ -108,6 +108,19 @@ TEST(WallGroups, AnAvantCorpsIsReliefAndAFacade) {
   EXPECT_NEAR(walls[1].width, 6, 1e-6);
 }
 
+// A ground floor that stands back along most of its wall is a facade too, with windows over half of it. A niche, and a
+// van before the wall, are not.
+TEST(WallGroups, AStoreyThatStandsBackIsReliefAndAFacade) {
+  Segment floor = upright(2, 0, 1, 29, 0, 3, -0.13);
+  floor.area_m2 = 0.45 * 28 * 3;
+  const std::vector<Segment> segments{upright(1, 0, 0, 30, 0, 12, 0), floor, upright(3, 0, 10, 16, 5, 8, -0.2),
+                                      upright(4, 0, 2, 19, 0, 2.5, 1)};
+  const auto walls = find_walls(segments, {std::vector<Vec3>{{12, -10, 1}}, {}}, {});
+  ASSERT_EQ(walls.size(), 2u);
+  EXPECT_EQ(walls[0].parallel.size(), 3u);
+  EXPECT_EQ(walls[1].segments, std::vector<std::uint32_t>{2});
+}
+
 // Fields that are narrower than a wall, and planes over two pilasters each, which are wide enough to be walls.
 TEST(WallGroups, FieldsBetweenPilastersAreOneWall) {
   std::vector<Segment> segments;
@@ -242,9 +255,12 @@ std::vector<Segment> town(std::uint64_t seed) {
       add(heading, at, u, u + 0.8 + rng.uniform(), height + rng.uniform(), height + 2, -2 * rng.uniform());
     }
   }
-  for (int house = 0; house < 10; ++house)
-    add(36 * house, {651000 + 15.0 * house, 6861060, 40}, 0, 12, 0, 9, 0),
-        add(36 * house, {651000 + 15.0 * house, 6861060, 40}, 3, 8, 0, 8.5, 0.05 + 0.1 * house);  // from 0.15 m on an avant-corps
+  for (int house = 0; house < 10; ++house) {
+    const Vec3 at{651000 + 15.0 * house, 6861060, 40};
+    add(36 * house, at, 0, 12, 0, 9, 0);
+    add(36 * house, at, 3, 8, 0, 8.5, 0.05 + 0.1 * house);   // from 0.15 m on an avant-corps
+    add(36 * house, at, 0, 9, 0, 2.5, -0.05 - 0.1 * house);  // from 0.15 m on a storey that stands back
+  }
   segments.push_back(level(static_cast<std::uint32_t>(segments.size() + 1)));
   return segments;
 }
