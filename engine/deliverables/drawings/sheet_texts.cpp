@@ -68,7 +68,7 @@ constexpr std::array<LegendText, 17> kLegend{{
     {R::hidden, {"Hidden", "Caché", "Verdeckt", "Verborgen"}},
     {R::completed, {"Completed", "Complété", "Ergänzt", "Aangevuld"}},
     {R::occluded, {"Not seen", "Non vu", "Nicht gesehen", "Niet gezien"}},
-    {R::possible, {"Possible opening, not seen", "Baie possible", "Mögliche Öffnung", "Mogelijke opening"}},
+    {R::possible, {"Possible opening", "Baie possible", "Mögliche Öffnung", "Mogelijke opening"}},
     {R::error, {"Error (layer frozen)", "Erreur (calque gelé)", "Fehler (Layer gefroren)", "Fout (laag bevroren)"}},
     {R::ground, {"Foot of the wall", "Pied du mur", "Mauerfuß", "Voet van de muur"}},
 }};
