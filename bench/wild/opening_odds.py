@@ -8,7 +8,7 @@ Right openings lower than 1 m count four times: of the windows of models of real
 the scenes 2 %.
 
   bench/wild/opening_odds.py PROGRAM FOLDER --seeds 10000000-10000099 --judge 900-919 [--points 300000] [--jobs 2]
-  bench/wild/opening_odds.py PROGRAM FOLDER --results OTHER/*/      # judges folders with out/ and *.truth.json
+  bench/wild/opening_odds.py PROGRAM FOLDER --seeds 10000000-10000099 --results OTHER/*/   # folders with out/ and *.truth.json
 
 Seeds that models are learnt from begin at 10,000,000; those below 1000 are for development. Scenes and results stay in
 FOLDER and are used again. Needs numpy."""

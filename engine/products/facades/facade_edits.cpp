@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "engine/products/facades/elements/edited_element.h"
+#include "engine/products/facades/elements/facade_elements.h"
 #include "engine/products/facades/wall_sides.h"
 
 namespace ilot {
@@ -57,11 +58,6 @@ bool may_be(const Edit& edit, const FacadeElement& e) {
   if (e.kind == "outline" || e.ring.size() < 3) return false;
   if (edit.kind.empty() || is_opening_kind(edit.kind)) return e.opening;
   return edit.kind == e.kind;
-}
-
-// Nobody saw what is there; an opening that a person draws there takes its place.
-bool is_unseen_place(const FacadeElement& e) {
-  return e.kind == "possible opening" || e.kind == "not seen";
 }
 
 class FacadeEditor {

@@ -24,6 +24,11 @@ FacadeElement wall_of(const RaySamples& samples, const WallOutline& outline);
 // only where a station is known.
 FacadeElement unseen_of(const FacadeSite& site, const UnseenArea& area);
 
+// Whether an element is a part of the wall of which nobody knows what is there: not seen, or a possible opening.
+inline bool is_unseen_place(const FacadeElement& e) {
+  return e.kind == "possible opening" || e.kind == "not seen";
+}
+
 // The part of the wall that an opening of which too little was seen is drawn as.
 UnseenArea possible_area(const ElementCandidate& opening);
 

@@ -70,7 +70,7 @@ FacadeElement possible_element(const Facade& f, const FacadeElement& opening, do
 std::vector<OpeningEvidence> opening_evidence(const Facade& facade, double metres_per_unit) {
   std::vector<Placed> placed;
   for (const FacadeElement& e : facade.elements)
-    if (is_measured_opening(e) || ((e.kind == "possible opening" || e.kind == "not seen") && !e.ring.empty()))
+    if (is_measured_opening(e) || (is_unseen_place(e) && !e.ring.empty()))
       placed.push_back({&e, local_box(facade, e, metres_per_unit)});
   std::vector<OpeningEvidence> all;
   for (const Placed& own : placed) {

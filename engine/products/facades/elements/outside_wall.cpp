@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/products/facades/elements/element_box.h"
+#include "engine/products/facades/elements/facade_elements.h"
 
 namespace ilot {
 namespace {
@@ -24,10 +25,6 @@ bool is_opening_or_leaf(ElementKind kind) {
 
 // Derived: coordinates are written to a tenth of a millimetre.
 constexpr double kRounding = 1e-4;  // metres
-
-bool is_unseen(const FacadeElement& e) {
-  return e.status == DrawnStatus::occluded && (e.kind == "possible opening" || e.kind == "not seen");
-}
 
 // Whether an element may be a part of the house below its wall or beside it: a storey, a tower at its corner.
 bool may_be_wall(ElementKind kind) {
@@ -79,7 +76,7 @@ void cut_unseen_at_outline(Facade& facade, double metres_per_unit) {
   if (outline == facade.elements.end()) return;
   const Box2 wall = local_box(facade, *outline, metres_per_unit);
   std::erase_if(facade.elements, [&](FacadeElement& e) {
-    if (!is_unseen(e)) return false;
+    if (!is_unseen_place(e)) return false;
     const Box2 before = local_box(facade, e, metres_per_unit);
     if (wall.contains({before.u0, before.v0}) && wall.contains({before.u1, before.v1})) return false;
     cut_ring(facade, wall, metres_per_unit, e);

@@ -18,8 +18,8 @@ struct RowParams {
 };
 
 // The rows of two facades and more: indices of their facades from left to right. The row with the smallest index comes
-// first. A later facade of which most stands before or behind an earlier one is in its row and
-// comes after it. Facades above each other are no neighbours. O(facades^2).
+// first. A later facade of which most stands before or behind an earlier one is in its row and comes after it. Facades
+// above each other are no neighbours. O(facades^2).
 std::vector<std::vector<std::size_t>> facade_rows(std::span<const Facade> facades, const RowParams& params);
 
 }  // namespace ilot
