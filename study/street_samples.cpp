@@ -190,7 +190,6 @@ Shares compare(PointReader& reader, const FoundStreet& found, TrueStreet& truth,
   const ExtraField element = *find_integer_field(info.layout, "true_element");
   const TileRaster& raster = found.tiles->raster();
   const LatticeMap lattice(info.layout, raster.unit);
-  const Height least = raster.scale.units(StreetsSettings{}.least_height);
   Shares shares(found.candidates.size());
   PixelLookup look(found);
   Trunks trunks(truth);
@@ -203,16 +202,15 @@ Shares compare(PointReader& reader, const FoundStreet& found, TrueStreet& truth,
     auto object = static_cast<std::uint32_t>(integer_of(record, element));
     const auto true_class = static_cast<std::uint32_t>(integer_of(record, kind));
     const PixelLookup::Seen seen = look.at(p);
-    street.bounds.add({raster.column(p.x), raster.row(p.y), truth.objects.count(object) != 0 ? object : 0,
-                       seen.place(height_of(p.z), raster.scale)});
+    const PointPlace place = seen.place(height_of(p.z), raster.scale);
+    street.bounds.add({raster.column(p.x), raster.row(p.y), truth.objects.count(object) != 0 ? object : 0, place});
     if (true_class == kTree && seen.level != kNoHeight && p.z - seen.level < highest)
       object = trunks.at(static_cast<double>(p.x) * raster.unit, static_cast<double>(p.y) * raster.unit, truth);
     const auto entry = truth.objects.find(object);
     if (entry != truth.objects.end()) ++entry->second.points;
-    const bool on_ground = seen.level != kNoHeight && p.z - seen.level < least;
     street.ground += true_class == 1;
-    street.ground_found += true_class == 1 && on_ground;
-    if (seen.candidate == 0 || on_ground) return;
+    street.ground_found += true_class == 1 && seen.level != kNoHeight && place == PointPlace::ground;
+    if (place != PointPlace::part) return;  // what is overhead in the same pixel has its own label
     ++shares.points[seen.candidate];
     ++shares.of_class[seen.candidate][true_class];
     if (entry != truth.objects.end()) ++shares.of_object[seen.candidate][object];
@@ -276,7 +274,7 @@ std::map<std::uint32_t, double> best_unions(const FoundStreet& found, const Shar
 void print_lost(const TrueStreet& truth, const FoundStreet& found) {
   for (const auto& [id, o] : truth.objects)
     if (o.points > 0 && o.overlap < kHalf)
-      fmt::print("  missed {} {} ({}{}): {} points, best thing has {} of them and {} in all\n", o.class_name, id,
+      fmt::print("  missed {} {} ({}{}): {} points, best candidate has {} of them and {} in all\n", o.class_name, id,
                  o.variant, o.touches ? ", touching" : "", o.points, o.common, o.of_candidate);
   for (const StreetStretch& s : found.stretches)
     fmt::print("  stretch of {:.0f} m: {} blocks, {} gaps\n", s.length, s.blocks.size(), s.gaps.size());

@@ -283,7 +283,7 @@ Street street_of(const std::string& cloud, const Leaving& leaving, const fs::pat
   for (const TrainingSample& s : street.samples)
     ++counts[s.role == CandidateRole::whole ? name_of(s.label) : s.role == CandidateRole::part ? "part" : "merged"];
   fmt::print(
-      "  ground {:.2f} %; in the tree {} of objects; things:",
+      "  ground {:.2f} %; candidates of {} objects;",
       100.0 * static_cast<double>(street.ground_found) / static_cast<double>(std::max<std::uint64_t>(1, street.ground)),
       street.classes.size());
   for (const auto& [name, n] : counts) fmt::print(" {} {},", name, n);
@@ -346,6 +346,7 @@ std::vector<Street> other_streets(const Arguments& a) {
 }
 
 void run(const Arguments& a) {
+  if (!a.cache.empty()) fs::create_directories(a.cache);
   std::vector<Street> streets;
   for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, {}, a.cache));
   const std::vector<Street> whole = a.evaluate ? streets : std::vector<Street>{};
