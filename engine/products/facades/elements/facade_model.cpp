@@ -11,11 +11,14 @@
 #include "engine/products/facades/elements/element_kinds.h"
 #include "engine/products/facades/elements/facade_elements.h"
 #include "engine/products/facades/elements/outside_wall.h"
+#include "engine/products/facades/elements/separate_openings.h"
 #include "engine/products/facades/elements/slices.h"
 #include "engine/products/facades/leaves/flat_plates.h"
+#include "engine/products/facades/leaves/framed_windows.h"
 #include "engine/products/facades/leaves/inset_leaves.h"
 #include "engine/products/facades/leaves/shutters.h"
 #include "engine/products/facades/leaves/standing_leaves.h"
+#include "engine/products/facades/openings/panes.h"
 #include "engine/products/facades/openings/sparse_panes.h"
 #include "engine/products/facades/openings/unseen_areas.h"
 #include "engine/products/facades/rays/cell_bands.h"
@@ -210,6 +213,7 @@ std::vector<ElementCandidate> candidates_of(const RaySamples& samples, const Fac
   parallel_for_limited(params.concurrency, searches.size(), [&](std::size_t i) { searches[i](); });
   for (const FoundRectangle& r : sparse.openings)
     if (!shares_area(r.box(), openings)) openings.push_back(r);
+  join_panes_like_others(params.regular.alike, openings);
   unseen.insert(unseen.end(), sparse.unseen.begin(), sparse.unseen.end());
   if (steps != nullptr) {
     steps->cells = cells;
@@ -219,8 +223,11 @@ std::vector<ElementCandidate> candidates_of(const RaySamples& samples, const Fac
     steps->large = large;
   }
   drop_pierced_stones(openings, stones);
-  const std::vector<ShutterLeaf> leaves = leaves_of(samples, plates, standing, params, openings);
+  std::vector<ShutterLeaf> leaves = leaves_of(samples, plates, standing, params, openings);
   drop_leaves(leaves, relief);
+  for (const ShutterLeaf& leaf :
+       find_framed_windows(params.kinds.balcony_depth, params.regular.alike, cells.seen.cell, relief, openings))
+    leaves.push_back(leaf);
   std::vector<ElementCandidate> candidates;
   for (const FoundRectangle& o : openings)
     candidates.push_back({o, kind_of_opening(o, openings, params.kinds), 0, 0, 0, {}});
@@ -300,9 +307,11 @@ FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, F
   if (steps != nullptr) steps->found = candidates;
   if (params.regularise) {
     regularise_elements(candidates, params.regular);
+    open_overlapping_sides(candidates);
     complete_elements(candidates, params.regular);
   }
   drop_openings_within(candidates);
+  end_before_others(candidates);
   move_possible(candidates, unseen);
   const WallOutline outline = outline_of(samples, params, sparse);
   drop_elements_outside(box_of(outline.ring), params.large.most_depth, candidates);

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "engine/products/facades/elements/element_kinds.h"
+#include "engine/products/facades/elements/separate_openings.h"
 #include "kernels/core/quantile.h"
 #include "kernels/outlines/agreement.h"
 
@@ -231,17 +232,18 @@ bool allowed(const LocatedEdge& edge, Side side, double at, const RegularParams&
 }
 
 // Completes a side from members of the row whose side is seen.
-bool complete_from_row(ElementCandidate& t, const std::vector<ElementCandidate>& candidates, Side side,
+bool complete_from_row(ElementCandidate& t, std::size_t i, const std::vector<ElementCandidate>& candidates, Side side,
                        const RegularParams& params) {
   std::vector<Bounded> bounds;
   LocatedEdge& edge = t.shape.side(side);
   for (const ElementCandidate& other : candidates)
-    if (other.kind == t.kind && other.row == t.row && &other != &t && seen(other, side) &&
+    if (other.kind == t.kind && other.row == t.row && seen(other, side) &&
         std::abs(other.shape.at(side) - edge.at) <= edge.error + params.alike &&
         allowed(edge, side, other.shape.at(side), params))
       bounds.push_back({other.shape.at(side), other.shape.error(side)});
   if (t.row == 0 || bounds.empty()) return false;
   const Bounded common = agreement(bounds);
+  if (reaches_into_other(candidates, i, side, common.value)) return false;
   edge.error = std::max(common.error + params.alike / 4, unseen_error(edge, common.value));
   edge.at = common.value;
   edge.status = DrawnStatus::completed;
@@ -250,7 +252,7 @@ bool complete_from_row(ElementCandidate& t, const std::vector<ElementCandidate>&
 }
 
 // Completes a side from the side that is seen and the size of others: first those of its row, then the rest.
-bool complete_from_size(ElementCandidate& t, const std::vector<ElementCandidate>& candidates, Side side,
+bool complete_from_size(ElementCandidate& t, std::size_t i, const std::vector<ElementCandidate>& candidates, Side side,
                         const RegularParams& params) {
   const bool across = side == Side::left || side == Side::right;
   const Side low = across ? Side::left : Side::bottom, high = across ? Side::right : Side::top;
@@ -269,6 +271,7 @@ bool complete_from_size(ElementCandidate& t, const std::vector<ElementCandidate>
   if (sizes.empty()) return false;
   const Bounded common = agreement(of_row.empty() ? sizes : of_row);
   const double at = t.shape.at(other_side) + (side == high ? common.value : -common.value);
+  if (reaches_into_other(candidates, i, side, at)) return false;
   edge.error = std::max(t.shape.error(other_side) + common.error, unseen_error(edge, at));
   edge.at = at;
   edge.status = DrawnStatus::completed;
@@ -353,7 +356,8 @@ void regularise_elements(std::vector<ElementCandidate>& candidates, const Regula
 
 void complete_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params) {
   const std::vector<ElementCandidate> before = candidates;
-  for (ElementCandidate& t : candidates) {
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    ElementCandidate& t = candidates[i];
     if (!is_opening(t)) continue;
     std::vector<Side> hidden;
     for (const Side side : kSides) {
@@ -361,8 +365,8 @@ void complete_elements(std::vector<ElementCandidate>& candidates, const RegularP
       if (side == Side::bottom && complete_from_sill(t, before)) continue;
       if (edge.status != DrawnStatus::occluded) continue;
       const bool level = side == Side::bottom || side == Side::top;
-      if (level && complete_from_row(t, before, side, params)) continue;
-      if (complete_from_size(t, before, side, params)) continue;
+      if (level && complete_from_row(t, i, before, side, params)) continue;
+      if (complete_from_size(t, i, before, side, params)) continue;
       hidden.push_back(side);
     }
     if (!hidden.empty()) place_hidden(t, hidden);

@@ -159,4 +159,18 @@ FoundTop find_top(const RaySamples& samples, const FoundRectangle& opening, doub
   return found;
 }
 
+double rise_of(const FoundRectangle& o) {
+  if (o.pointed) {
+    const double to = o.box().width() / 2 - o.pointed->crown_u, beside = to - o.pointed->centre.u;
+    const double radius = o.pointed->radius;
+    const double at_jamb = radius > 0
+                               ? o.pointed->centre.v + std::sqrt(std::max(0.0, radius * radius - beside * beside))
+                               : o.pointed->right_slope * to;
+    return std::max(0.0, -at_jamb);
+  }
+  if (!o.arc) return 0;
+  const double half = o.box().width() / 2, radius = o.arc->radius;
+  return radius - std::sqrt(std::max(0.0, radius * radius - half * half));
+}
+
 }  // namespace ilot

@@ -23,4 +23,7 @@ struct FoundTop {
 // its two sides, of the arc, because arches are no exact circles. O(n log n) in the points around.
 FoundTop find_top(const RaySamples& samples, const FoundRectangle& opening, double most_misfit);
 
+// The height of the arch or the point of an opening over its jambs, in metres; 0 without one.
+double rise_of(const FoundRectangle& opening);
+
 }  // namespace ilot

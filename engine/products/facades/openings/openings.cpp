@@ -392,6 +392,7 @@ std::vector<FoundRectangle> find_openings(const RaySamples& samples, const Openi
       found.push_back(*pane);
   join_panes(cells.cell, proven, found);
   add_sparse_panes(find_sparse_panes(samples, params.least_size), found);
+  join_panes(cells.cell, found.size(), found);
   if (unseen != nullptr) *unseen = unseen_areas(holes, found, seen, silent, params.least_size);
   return found;
 }

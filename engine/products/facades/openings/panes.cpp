@@ -18,6 +18,8 @@ constexpr double kEqual = 0.03;  // metres between the ends of two panes of one 
 constexpr double kSideCovered = 0.8;  // share of each side of a window along which its panes end
 // Choice: bars of 15 cm between panes of half a metre leave three fifths.
 constexpr double kPanesFill = 0.6;  // share of the window that its panes cover
+// Derived: an opening that was found has half in common with the true one.
+constexpr double kLeastOfRow = 0.5;  // height of panes over that of a window of their row
 
 // The gap between two intervals; negative where they overlap.
 double gap_between(double low_a, double high_a, double low_b, double high_b) {
@@ -36,10 +38,21 @@ bool end_alike(const FoundRectangle& a, const FoundRectangle& b, Side side) {
   return std::abs(a.at(side) - b.at(side)) <= kEqual + a.error(side) + b.error(side);
 }
 
-// How panes are compared: whether both must end alike along a bar, and whether panes beside each other are joined too.
+// How panes are compared: whether both must end alike along a bar, whether a pier beside one would show, and whether
+// panes with a head of their own may stand side by side.
 struct PaneTest {
-  bool end_together = true, side_by_side = true;
+  bool end_together = true, piers_show = true, any_head = false;
 };
+
+// Whether there is no room for a pier between two panes that lie side by side, wherever their sides are within their
+// errors. Where they overlap by more than that, the errors do not hold.
+bool has_no_room_for_pier(const FoundRectangle& a, const FoundRectangle& b) {
+  const bool first = a.at(Side::left) < b.at(Side::left);
+  const FoundRectangle &left = first ? a : b, &right = first ? b : a;
+  const double gap = right.at(Side::left) - left.at(Side::right),
+               error = left.error(Side::right) + right.error(Side::left);
+  return gap >= -error && gap + error <= kWidestBar;
+}
 
 // Whether no more than a bar parts two openings along half of the shorter one. A pane with an arch or a point is the
 // upper one of two.
@@ -50,11 +63,12 @@ bool touch_at_bar(const FoundRectangle& a, const FoundRectangle& b, PaneTest tes
   };
   const bool rows = 2 * -gap_between(p.v0, p.v1, q.v0, q.v1) >= std::min(p.height(), q.height());
   const bool columns = 2 * -gap_between(p.u0, p.u1, q.u0, q.u1) >= std::min(p.width(), q.width());
-  const bool straight = a.is_rectangle() && b.is_rectangle();
+  const bool straight = test.any_head || (a.is_rectangle() && b.is_rectangle());
   const FoundRectangle& lower = p.v0 < q.v0 ? a : b;
   const FoundRectangle& upper = p.v0 < q.v0 ? b : a;
   const bool headed = test.end_together && lower.is_rectangle() && !upper.leans();
-  return (straight && test.side_by_side && rows && is_bar(p, q, true) && alike(Side::bottom, Side::top)) ||
+  const bool no_pier = test.piers_show || has_no_room_for_pier(a, b);
+  return (straight && no_pier && rows && is_bar(p, q, true) && alike(Side::bottom, Side::top)) ||
          ((straight || headed) && columns && is_bar(p, q, false) && alike(Side::left, Side::right));
 }
 
@@ -89,13 +103,13 @@ struct Panes {
   }
 };
 
-void join_pairs(Panes& panes, bool side_by_side) {
+void join_pairs(Panes& panes, bool piers_show) {
   const std::vector<FoundRectangle>& found = panes.found;
   for (bool more = true; more;) {
     more = false;
     for (std::size_t i = 0; i < found.size(); ++i)
       for (std::size_t k = i + 1; k < found.size();) {
-        if (!touch_at_bar(found[i], found[k], {true, side_by_side})) {
+        if (!touch_at_bar(found[i], found[k], {true, piers_show})) {
           ++k;
           continue;
         }
@@ -107,12 +121,12 @@ void join_pairs(Panes& panes, bool side_by_side) {
 }
 
 // The openings that bars connect with one of them, itself included; ascending.
-std::vector<std::size_t> connected_by_bars(const std::vector<FoundRectangle>& found, std::size_t first) {
+std::vector<std::size_t> connected_by_bars(const std::vector<FoundRectangle>& found, std::size_t first, PaneTest test) {
   std::vector<std::size_t> members{first};
   for (std::size_t m = 0; m < members.size(); ++m)
     for (std::size_t k = 0; k < found.size(); ++k)
       if (std::find(members.begin(), members.end(), k) == members.end() &&
-          touch_at_bar(found[members[m]], found[k], {false, true}))
+          touch_at_bar(found[members[m]], found[k], test))
         members.push_back(k);
   std::sort(members.begin(), members.end());
   return members;
@@ -133,14 +147,20 @@ bool fill_rectangle(const std::vector<FoundRectangle>& found, const std::vector<
   });
 }
 
-void join_grids(Panes& panes) {
+// The window that some panes are together.
+FoundRectangle joined(const std::vector<FoundRectangle>& found, const std::vector<std::size_t>& members) {
+  FoundRectangle whole = found[members.front()];
+  for (const std::size_t m : members)
+    if (m != members.front()) join_pane(whole, found[m]);
+  return whole;
+}
+
+void join_grids(Panes& panes, bool piers_show) {
   std::vector<FoundRectangle>& found = panes.found;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const std::vector<std::size_t> members = connected_by_bars(found, i);
+    const std::vector<std::size_t> members = connected_by_bars(found, i, {false, piers_show});
     if (members.size() < 3 || members.front() < i) continue;  // two are a pair; others were looked at before
-    FoundRectangle whole = found[i];
-    for (const std::size_t m : members)
-      if (m != i) join_pane(whole, found[m]);
+    const FoundRectangle whole = joined(found, members);
     if (!fill_rectangle(found, members, whole)) continue;
     for (const std::size_t m : members) panes.proven[i] = panes.proven[i] || panes.proven[m];
     found[i] = whole;
@@ -148,14 +168,80 @@ void join_grids(Panes& panes) {
   }
 }
 
+// How far a side of one and the same side of another may lie apart where both are meant to be equal. A side that nobody
+// saw well proves nothing.
+double near(const FoundRectangle& a, const FoundRectangle& b, Side side, double alike) {
+  return alike + std::min(kWidestBar, a.error(side)) + std::min(kWidestBar, b.error(side));
+}
+
+bool is_same_side(const FoundRectangle& a, const FoundRectangle& b, Side side, double alike) {
+  return std::abs(a.at(side) - b.at(side)) <= near(a, b, side, alike);
+}
+
+bool is_same_length(double a, double b, const FoundRectangle& p, const FoundRectangle& q, Side side, double alike) {
+  return std::abs(a - b) <= near(p, q, side, alike);
+}
+
+// Whether a window has the place and the size of another one of its column.
+bool is_like_in_column(const FoundRectangle& window, const FoundRectangle& other, double alike) {
+  return is_same_side(window, other, Side::left, alike) && is_same_side(window, other, Side::right, alike) &&
+         is_same_length(window.box().height(), other.box().height(), window, other, Side::top, alike);
+}
+
+// Whether a window has the width and the heights of another one of its row; one of its ends may lie within the other.
+bool is_like_in_row(const FoundRectangle& window, const FoundRectangle& other, double alike) {
+  const Box2 p = window.box(), q = other.box();
+  if (!is_same_length(p.width(), q.width(), window, other, Side::right, alike)) return false;
+  const bool foot = is_same_side(window, other, Side::bottom, alike),
+             head = is_same_side(window, other, Side::top, alike);
+  const bool within = p.v0 > q.v0 - near(window, other, Side::bottom, alike) &&
+                      p.v1 < q.v1 + near(window, other, Side::top, alike) && p.height() >= kLeastOfRow * q.height();
+  return (foot && head) || (within && (foot || head));
+}
+
+// The ends of a window that lie within another one of its row are hidden: the gap of each reaches to that of the other.
+void open_ends(const FoundRectangle& other, double alike, FoundRectangle& window) {
+  for (const Side side : {Side::bottom, Side::top}) {
+    const double short_of = outwards(side) * (other.at(side) - window.at(side));
+    if (short_of <= near(window, other, side, alike)) continue;
+    LocatedEdge& edge = window.side(side);
+    edge.inner = window.at(side);
+    edge.at += outwards(side) * short_of / 2;
+    edge.error = short_of / 2;
+    edge.form = 0, edge.by_face = false, edge.status = DrawnStatus::occluded;
+  }
+}
+
 }  // namespace
+
+void join_panes_like_others(double alike, std::vector<FoundRectangle>& found) {
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::vector<std::size_t> members = connected_by_bars(found, i, {false, true, true});
+    if (members.size() < 2 || members.front() < i) continue;
+    FoundRectangle whole = joined(found, members);
+    const FoundRectangle* like = nullptr;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      if (std::binary_search(members.begin(), members.end(), k) || !found[k].is_rectangle()) continue;
+      const bool row = is_like_in_row(whole, found[k], alike);
+      if (!row && !is_like_in_column(whole, found[k], alike)) continue;
+      // The highest of its row: another one may be as much in pieces.
+      if (like == nullptr || (row && found[k].box().height() > like->box().height())) like = &found[k];
+    }
+    if (like == nullptr) continue;
+    whole.arc.reset(), whole.pointed.reset();  // what hangs behind a pane gives it a head of its own
+    whole.lean = {};
+    if (is_like_in_row(whole, *like, alike)) open_ends(*like, alike, whole);
+    found[i] = whole;
+    for (std::size_t m = members.size(); m-- > 1;) found.erase(found.begin() + static_cast<std::ptrdiff_t>(members[m]));
+  }
+}
 
 void join_panes(double cell, std::size_t proven, std::vector<FoundRectangle>& found) {
   const bool piers_show = kCellsOfBar * cell <= kWidestBar;
   Panes panes{found, std::vector<bool>(found.size(), false)};
   std::fill(panes.proven.begin(), panes.proven.begin() + static_cast<std::ptrdiff_t>(proven), true);
   join_pairs(panes, piers_show);
-  if (piers_show) join_grids(panes);
+  join_grids(panes, piers_show);
   for (std::size_t i = found.size(); i-- > 0;)
     if (!panes.proven[i]) panes.erase(i);
 }

@@ -62,6 +62,56 @@ TEST(Panes, NothingIsJoinedInCellsThatDoNotShowBars) {
   EXPECT_DOUBLE_EQ(found[0].at(Side::right), 1.83);
 }
 
+TEST(Panes, InLargeCellsWhatHasNoRoomForAPierIsJoined) {
+  std::vector<FoundRectangle> found{pane({1, 1.6, 1, 2.4}, 0.02), pane({1.7, 2.3, 1, 2.4}, 0.02)};
+  join_panes(0.12, found.size(), found);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_DOUBLE_EQ(found[0].at(Side::right), 2.3);
+  found = {pane({1, 1.6, 1, 2.4}, 0.04), pane({1.7, 2.3, 1, 2.4}, 0.04)};  // the bar may be 18 cm wide
+  join_panes(0.12, found.size(), found);
+  EXPECT_EQ(found.size(), 2u);
+}
+
+TEST(Panes, ThoseThatEndApartAreOneWindowLikeOthersOfTheirRow) {
+  const FoundRectangle whole = pane({3, 3.9, 1, 2.8});
+  FoundRectangle curtained = pane({1, 1.42, 1, 2.1});
+  curtained.arc = TopArc{{1.21, 1.9}, 0.25};
+  std::vector<FoundRectangle> found{curtained, whole, pane({1.48, 1.9, 1, 2.5})};
+  join_panes_like_others(0.04, found);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_DOUBLE_EQ(found[0].at(Side::left), 1);
+  EXPECT_DOUBLE_EQ(found[0].at(Side::right), 1.9);
+  EXPECT_TRUE(found[0].is_rectangle());
+  const LocatedEdge& head = found[0].side(Side::top);  // from the higher pane to the head of its row
+  EXPECT_EQ(head.status, DrawnStatus::occluded);
+  EXPECT_DOUBLE_EQ(head.inner, 2.5);
+  EXPECT_NEAR(head.at + head.error, 2.8, 1e-12);
+  EXPECT_EQ(found[0].side(Side::bottom).status, DrawnStatus::seen);
+}
+
+TEST(Panes, ThoseThatEndApartAreOneWindowLikeOthersOfTheirColumn) {
+  std::vector<FoundRectangle> found{pane({1, 1.42, 5, 6.8}), pane({1.48, 1.9, 5.4, 6.8}), pane({1, 1.9, 1, 2.8})};
+  join_panes_like_others(0.04, found);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].side(Side::bottom).status, DrawnStatus::seen);
+  EXPECT_DOUBLE_EQ(found[0].at(Side::bottom), 5);
+}
+
+TEST(Panes, ThoseThatAreLikeNothingStayAlone) {
+  const std::vector<FoundRectangle> apart{pane({1, 1.42, 1, 2.1}), pane({1.48, 1.9, 1, 2.5})};
+  std::vector<FoundRectangle> found = apart;
+  join_panes_like_others(0.04, found);
+  EXPECT_EQ(found.size(), 2u);
+  found = apart;
+  found.push_back(pane({3, 4.2, 1, 2.8}));  // wider
+  join_panes_like_others(0.04, found);
+  EXPECT_EQ(found.size(), 3u);
+  found = apart;
+  found.push_back(pane({3, 3.9, 0.2, 5.5}));  // they are less than half of it
+  join_panes_like_others(0.04, found);
+  EXPECT_EQ(found.size(), 3u);
+}
+
 TEST(Panes, OneAboveTheOtherIsJoinedInLargeCellsToo) {
   std::vector<FoundRectangle> found{pane({1, 2, 1, 1.8}), pane({1, 2, 1.9, 2.6})};
   join_panes(0.12, found.size(), found);
