@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "engine/pass/index.h"
+#include "engine/pass/resident.h"
 #include "engine/products/streets/ground/standing_form.h"
 #include "engine/products/streets/make_streets.h"
 #include "engine/proof/point_stream.h"
@@ -22,6 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint32_t kTree = 7;   // true class
+constexpr std::uint64_t kMemoryOfStudy = std::uint64_t{4} << 30;
 constexpr double kHighestTrunk = 2;  // metres above the ground; higher points of trees are crowns
 constexpr double kHalf = 0.5;        // share of an object; with less, a candidate is not the object
 constexpr double kClearly = 0.2;     // difference by which one overlap is clearly better than another
@@ -302,6 +304,8 @@ std::string name_of(PointLabel label) {
 }
 
 Street study(const fs::path& cloud, const Leaving& leaving) {
+  // Without a limit all unused memory is given back before each pass, which takes most of the time of a small street.
+  set_memory_limit(kMemoryOfStudy);
   TrueStreet truth = read_street(cloud);
   const fs::path folder = fs::temp_directory_path() / ("bench_streets_" + cloud.stem().string() + leaving.name());
   fs::remove_all(folder);
