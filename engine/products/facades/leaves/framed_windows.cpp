@@ -11,6 +11,8 @@ namespace {
 
 // Derived: nearly all; a pane that reaches farther out is that of another window.
 constexpr double kPaneInFrame = 0.9;  // share of a pane that lies in its frame
+// Choice: one of two sashes; a pane in a strip that goes on over storeys is not a pane of it.
+constexpr double kLeastOfFrame = 0.4;  // height of the panes over that of their frame
 // Choice: lower plates are signs, panels and boxes of blinds.
 constexpr double kLowestFrame = 0.8;  // metres, height
 
@@ -51,7 +53,10 @@ void fill_frames(const std::vector<FlatPlate>& plates, const LeafJudge& judge, s
                  std::vector<PlateUse>& uses) {
   for (std::size_t i = 0; i < plates.size(); ++i) {
     const std::vector<std::size_t> inside = panes_in(plates[i], openings);
-    if (inside.empty() || !judge.are_panes_of(plates[i], around(openings, inside))) continue;
+    if (inside.empty()) continue;
+    const FoundRectangle panes = around(openings, inside);
+    if (!judge.are_panes_of(plates[i], panes) || panes.box().height() < kLeastOfFrame * plates[i].shape.box().height())
+      continue;
     const std::size_t largest = *std::max_element(inside.begin(), inside.end(), [&](std::size_t a, std::size_t b) {
       return area_of(openings[a].box()) < area_of(openings[b].box());
     });

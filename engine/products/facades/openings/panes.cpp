@@ -212,6 +212,25 @@ void open_ends(const FoundRectangle& other, double alike, FoundRectangle& window
   }
 }
 
+// The opening that some panes are like together; none if more of the others are like one of the panes alone, of which
+// each window that is parted has two. Of several in the row it is the highest: another one may be as much in pieces.
+const FoundRectangle* window_like(const FoundRectangle& whole, const std::vector<FoundRectangle>& found,
+                                  const std::vector<std::size_t>& members, double alike) {
+  const FoundRectangle* like = nullptr;
+  std::size_t as_whole = 0, as_pane = 0;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    if (std::binary_search(members.begin(), members.end(), k)) continue;
+    as_pane += std::any_of(members.begin(), members.end(), [&](std::size_t m) {
+      return is_like_in_row(found[m], found[k], alike) || is_like_in_column(found[m], found[k], alike);
+    });
+    const bool row = is_like_in_row(whole, found[k], alike);
+    if (!found[k].is_rectangle() || (!row && !is_like_in_column(whole, found[k], alike))) continue;
+    ++as_whole;
+    if (like == nullptr || (row && found[k].box().height() > like->box().height())) like = &found[k];
+  }
+  return as_pane <= 2 * as_whole ? like : nullptr;
+}
+
 }  // namespace
 
 void join_panes_like_others(double alike, std::vector<FoundRectangle>& found) {
@@ -219,14 +238,7 @@ void join_panes_like_others(double alike, std::vector<FoundRectangle>& found) {
     const std::vector<std::size_t> members = connected_by_bars(found, i, {false, true, true});
     if (members.size() < 2 || members.front() < i) continue;
     FoundRectangle whole = joined(found, members);
-    const FoundRectangle* like = nullptr;
-    for (std::size_t k = 0; k < found.size(); ++k) {
-      if (std::binary_search(members.begin(), members.end(), k) || !found[k].is_rectangle()) continue;
-      const bool row = is_like_in_row(whole, found[k], alike);
-      if (!row && !is_like_in_column(whole, found[k], alike)) continue;
-      // The highest of its row: another one may be as much in pieces.
-      if (like == nullptr || (row && found[k].box().height() > like->box().height())) like = &found[k];
-    }
+    const FoundRectangle* like = window_like(whole, found, members, alike);
     if (like == nullptr) continue;
     whole.arc.reset(), whole.pointed.reset();  // what hangs behind a pane gives it a head of its own
     whole.lean = {};

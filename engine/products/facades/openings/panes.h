@@ -24,7 +24,8 @@ void join_panes(double cell, std::size_t proven, std::vector<FoundRectangle>& fo
 // together they have the width and the foot, or the head, of an opening of their row, or the sides and the height of
 // one of their column (`alike` metres for what a builder means to be equal, and their errors). Their other end may lie
 // within that of their row, up to half of its height; then it is `occluded`, and its gap reaches to the end of the
-// others. To be called after join_panes. O(n^3) at worst.
+// others. They stay apart where more of the others are like one of them alone. To be called after join_panes. O(n^3) at
+// worst.
 void join_panes_like_others(double alike, std::vector<FoundRectangle>& found);
 
 }  // namespace ilot

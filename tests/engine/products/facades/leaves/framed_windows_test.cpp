@@ -39,6 +39,14 @@ TEST(FramedWindows, AWindowWithinASurroundStays) {
   EXPECT_DOUBLE_EQ(openings[0].at(Side::top), 2.65);
 }
 
+TEST(FramedWindows, AStripOverStoreysIsNoFrame) {
+  std::vector<FoundRectangle> relief{rectangle({1, 1.8, 0, 9}, 0.05)};
+  std::vector<FoundRectangle> openings{rectangle({1, 1.8, 1, 2.8})};
+  framed(relief, openings);
+  EXPECT_EQ(relief.size(), 1u);
+  EXPECT_DOUBLE_EQ(openings[0].at(Side::top), 2.8);
+}
+
 TEST(FramedWindows, APlateOfTheSizeOfWindowsInItsRowOrColumnHidesOne) {
   const FoundRectangle window = rectangle({1, 1.8, 1, 2.8});
   std::vector<FoundRectangle> relief{rectangle({4, 4.8, 1, 2.8}, 0.05), rectangle({4, 4.8, 4, 5.8}, 0.2)};

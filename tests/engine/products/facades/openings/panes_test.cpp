@@ -107,6 +107,11 @@ TEST(Panes, ThoseThatAreLikeNothingStayAlone) {
   join_panes_like_others(0.04, found);
   EXPECT_EQ(found.size(), 3u);
   found = apart;
+  found.push_back(pane({3, 3.9, 1, 2.8}));
+  for (const double u : {5.0, 6.0, 7.0}) found.push_back(pane({u, u + 0.42, 1, 2.1}));  // it may be two of these
+  join_panes_like_others(0.04, found);
+  EXPECT_EQ(found.size(), 6u);
+  found = apart;
   found.push_back(pane({3, 3.9, 0.2, 5.5}));  // they are less than half of it
   join_panes_like_others(0.04, found);
   EXPECT_EQ(found.size(), 3u);
