@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint32_t kTree = 7;   // true class
+constexpr std::uint32_t kTree = 7;                                 // true class
 constexpr std::uint64_t kMemoryOfStudy = std::uint64_t{64} << 30;  // candidates of all streets stay in memory
 constexpr double kHighestTrunk = 2;  // metres above the ground; higher points of trees are crowns
 constexpr double kHalf = 0.5;        // share of an object; with less, a candidate is not the object
