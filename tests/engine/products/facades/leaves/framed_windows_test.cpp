@@ -6,7 +6,7 @@
 namespace ilot {
 namespace {
 
-constexpr double kMostDepth = 0.3, kAlike = 0.04, kCell = 0.03;
+constexpr double kMostFrameDepth = 0.3, kAlikeFrames = 0.04, kCellOfFrames = 0.03;
 
 FoundRectangle rectangle(const Box2& box, double depth = 0, double error = 0.01) {
   FoundRectangle r;
@@ -17,7 +17,7 @@ FoundRectangle rectangle(const Box2& box, double depth = 0, double error = 0.01)
 }
 
 std::vector<ShutterLeaf> framed(std::vector<FoundRectangle>& relief, std::vector<FoundRectangle>& openings) {
-  return find_framed_windows(kMostDepth, kAlike, kCell, relief, openings);
+  return find_framed_windows(kMostFrameDepth, kAlikeFrames, kCellOfFrames, relief, openings);
 }
 
 TEST(FramedWindows, APaneAsWideAsItsFrameGetsItsHeight) {
