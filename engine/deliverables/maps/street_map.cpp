@@ -18,9 +18,11 @@ constexpr double kScaleBar = 20;     // metres
 constexpr double kNumberText = 0.7;  // metres; 3.5 mm on paper at 1:200
 // Choice: legible where the sheet is printed on one page, and no larger than a house on it.
 constexpr double kLeastText = 0.8, kMostText = 4;  // metres; of the legend
-constexpr double kLegendWidth = 19;                // times the height of its text
-constexpr double kRowsOfText = 1.5;                // from row to row, times the height of the text
-constexpr double kRowsBesideLegend = 4;            // for the arrow, the note and a margin
+constexpr double kLeastLegendWidth = 19;           // times the height of its text
+// Choice: a line of DejaVu Sans, which is wider than most sans-serif faces; a wider one may be cut off.
+constexpr double kLetterWidth = 0.62;    // mean width of a letter, times the height of the text
+constexpr double kRowsOfText = 1.5;      // from row to row, times the height of the text
+constexpr double kRowsBesideLegend = 4;  // for the arrow, the note and a margin
 
 std::string hex(MapColour c) {
   return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue);
@@ -88,6 +90,16 @@ std::string scale_bar(double y, const std::string& length) {
   return length.empty() ? bar : bar + fmt::format("<text x=\"2\" y=\"{:.2f}\">{}</text>\n", y - 0.6, length);
 }
 
+// The width of the legend, times the height of its text.
+double legend_width(const std::vector<LegendRow>& rows, std::span<const std::string> notes) {
+  double width = kLeastLegendWidth;
+  // As legend_svg has them: rows begin 3.5 letters' heights from the map, notes one, with letters of 0.8; one is left.
+  for (const LegendRow& row : rows) width = std::max(width, 4.5 + kLetterWidth * static_cast<double>(row.name.size()));
+  for (const std::string& note : notes)
+    width = std::max(width, 2 + 0.8 * kLetterWidth * static_cast<double>(note.size()));
+  return width;
+}
+
 // The legend with its left end at x: an arrow to the north, the kinds, what the numbers are, and the notes.
 std::string legend_svg(const std::vector<LegendRow>& rows, std::span<const std::string> notes, double x, double text) {
   std::string svg = fmt::format(
@@ -128,7 +140,7 @@ std::string street_sheet_svg(const StreetPlan& plan, double metres_per_unit, std
   const double map_width = map.box.width() + 2 * kMargin, map_height = map.box.height() + 2 * kMargin;
   const double least = kRowsOfText * (static_cast<double>(rows.size() + notes.size()) + kRowsBesideLegend);
   const double text = std::clamp(map_height / least, kLeastText, kMostText);
-  const double strip = kLegendWidth * text, height = std::max(map_height, text * least);
+  const double strip = legend_width(rows, notes) * text, height = std::max(map_height, text * least);
   std::string svg = opened_svg(map_width + strip, height) + shapes_svg(map.shapes, at);
   svg += fmt::format(
       "<g font-family=\"sans-serif\" font-size=\"{:.2f}\" text-anchor=\"middle\" fill=\"#111\" "

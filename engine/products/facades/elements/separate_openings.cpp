@@ -54,7 +54,7 @@ void move_side(const Facing& facing, double at) {
 
 // The sides at which two openings overlap: along the axis on which they overlap less.
 std::optional<Overlap> overlap_of(ElementCandidate& a, ElementCandidate& b) {
-  const Box2 p = a.shape.box(), q = b.shape.box();
+  const Box2 p = a.shape.extent(), q = b.shape.extent();
   const double across = std::min(p.u1, q.u1) - std::max(p.u0, q.u0), up = std::min(p.v1, q.v1) - std::max(p.v0, q.v0);
   if (across <= kTouch || up <= kTouch || common_area(p, q) > kMostOfSmaller * std::min(area_of(p), area_of(q)))
     return std::nullopt;
@@ -115,7 +115,7 @@ void end_before_others(std::vector<ElementCandidate>& candidates) {
 bool reaches_into_other(const std::vector<ElementCandidate>& candidates, std::size_t i, Side side, double at) {
   FoundRectangle own = candidates[i].shape;
   own.side(side).at = at;
-  const Box2 box = own.box().grown(-kTouch);
+  const Box2 box = own.extent().grown(-kTouch);
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     if (k == i || !is_opening(candidates[k].kind)) continue;
     FoundRectangle other = candidates[k].shape;

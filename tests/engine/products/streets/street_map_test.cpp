@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "engine/deliverables/maps/street_map.h"
 #include "engine/model/street_areas.h"
@@ -127,6 +128,18 @@ TEST(StreetMap, TheSheetHasALegend) {
   for (const char* text : {"tree", "kerb", "pavement", "houses"})
     EXPECT_EQ(sheet.find(text), std::string::npos) << text;
   EXPECT_NE(street_sheet_svg({}, 1).find(">North<"), std::string::npos) << "an empty plan";
+}
+
+// The page is as wide as the longest line of its legend needs.
+TEST(StreetMap, LongLinesOfTheLegendAreOnThePage) {
+  const auto width = [](const std::string& svg) {
+    double size[4] = {};
+    const int read = std::sscanf(svg.c_str() + svg.find("viewBox=\"") + 9, "%lf %lf %lf", &size[0], &size[1], &size[2]);
+    return read == 3 ? size[2] : 0;
+  };
+  const std::vector<std::string> notes{"short"}, longer{std::string(60, 'n')};
+  EXPECT_EQ(width(street_sheet_svg({}, 1, notes)), width(street_sheet_svg({}, 1, std::vector<std::string>{"shorter"})));
+  EXPECT_GT(width(street_sheet_svg({}, 1, longer)), width(street_sheet_svg({}, 1, notes)) * 1.2);
 }
 
 // Two areas far apart are two sheets, which say so. Things a kilometre apart are on one.

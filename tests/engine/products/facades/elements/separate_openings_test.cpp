@@ -66,6 +66,15 @@ TEST(SeparateOpenings, WhatOverlapsStillEndsBeforeTheOther) {
   EXPECT_DOUBLE_EQ(both[1].shape.at(Side::left), 3.05);
 }
 
+TEST(SeparateOpenings, ASideThatLeansIntoAnotherOpeningStandsUpright) {
+  std::vector<ElementCandidate> both{window({1, 2.6, 1, 2}, 0.5), window({2.9, 4.4, 1, 2}, 0.02)};
+  both[0].shape.lean[static_cast<std::size_t>(Side::right)] = 0.8;  // its corner is at 3
+  open_overlapping_sides(both);
+  EXPECT_FALSE(both[0].shape.leans());
+  EXPECT_LE(both[0].shape.at(Side::right), 2.9);
+  EXPECT_EQ(both[0].shape.side(Side::right).status, DrawnStatus::occluded);
+}
+
 TEST(SeparateOpenings, WhatDoesNotOverlapStays) {
   const std::vector<ElementCandidate> apart{window({1, 2, 1, 2}, 0.4), window({2.2, 3.2, 1, 2}, 0.4),
                                             window({1, 2, 2.3, 3.3}, 0.4)};
