@@ -45,13 +45,13 @@ struct PaneTest {
 };
 
 // Whether there is no room for a pier between two panes that lie side by side, wherever their sides are within their
-// errors. Where they overlap by more than that, the errors do not hold.
+// errors. Where they overlap, their errors do not hold.
 bool has_no_room_for_pier(const FoundRectangle& a, const FoundRectangle& b) {
   const bool first = a.at(Side::left) < b.at(Side::left);
   const FoundRectangle &left = first ? a : b, &right = first ? b : a;
   const double gap = right.at(Side::left) - left.at(Side::right),
                error = left.error(Side::right) + right.error(Side::left);
-  return gap >= -error && gap + error <= kWidestBar;
+  return gap >= 0 && gap + error <= kWidestBar;
 }
 
 // Whether no more than a bar parts two openings along half of the shorter one. A pane with an arch or a point is the

@@ -67,6 +67,9 @@ TEST(Panes, InLargeCellsWhatHasNoRoomForAPierIsJoined) {
   join_panes(0.12, found.size(), found);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_DOUBLE_EQ(found[0].at(Side::right), 2.3);
+  found = {pane({1, 1.65, 1, 2.4}, 0.1), pane({1.55, 2.3, 1, 2.4}, 0.1)};  // one side is that of another window
+  join_panes(0.12, found.size(), found);
+  EXPECT_EQ(found.size(), 2u);
   found = {pane({1, 1.6, 1, 2.4}, 0.04), pane({1.7, 2.3, 1, 2.4}, 0.04)};  // the bar may be 18 cm wide
   join_panes(0.12, found.size(), found);
   EXPECT_EQ(found.size(), 2u);
