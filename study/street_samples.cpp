@@ -22,11 +22,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint32_t kTree = 7;                                 // true class
-constexpr std::uint64_t kMemoryOfStudy = std::uint64_t{64} << 30;  // candidates of all streets stay in memory
-constexpr double kHighestTrunk = 2;  // metres above the ground; higher points of trees are crowns
-constexpr double kHalf = 0.5;        // share of an object; with less, a candidate is not the object
-constexpr double kClearly = 0.2;     // difference by which one overlap is clearly better than another
+constexpr std::uint32_t kTree = 7;  // true class
+constexpr std::uint64_t kMemoryOfStudy = std::uint64_t{64}
+                                         << 30;  // bytes; the candidates of all streets stay in memory
+constexpr double kHighestTrunk = 2;              // metres above the ground; higher points of trees are crowns
+constexpr double kHalf = 0.5;                    // share of an object; with less, a candidate is not the object
+constexpr double kClearly = 0.2;                 // difference by which one overlap is clearly better than another
 
 struct MatchedObject {
   std::string class_name, variant;

@@ -47,8 +47,7 @@ void move_side(const Facing& facing, double at) {
   FoundRectangle& shape = facing.opening.shape;
   LocatedEdge& head = shape.side(Side::top);
   if (shape.arc || shape.pointed) head.form = std::max(head.form, rise_of(shape));
-  shape.arc.reset(), shape.pointed.reset();
-  shape.lean = {};
+  make_rectangle(shape);
   facing.edge().at = at;
 }
 

@@ -10,7 +10,7 @@
 namespace ilot {
 namespace {
 
-// Derived: nearly all; a pane that reaches farther out is that of another window.
+// Choice: the errors of the sides of small panes take a tenth; what reaches farther out is in another window.
 constexpr double kPaneInFrame = 0.9;  // share of a pane that lies in its frame
 // Choice: one of two sashes; a pane in a strip that goes on over storeys is not a pane of it.
 constexpr double kLeastOfFrame = 0.4;  // height of the panes over that of their frame
@@ -24,7 +24,7 @@ enum class PlateUse : std::uint8_t { none, frame, closed };
 std::vector<std::size_t> panes_in(const FlatPlate& plate, const std::vector<FoundRectangle>& openings) {
   std::vector<std::size_t> inside;
   for (std::size_t i = 0; i < openings.size(); ++i)
-    if (area_in_common(plate.shape.box(), openings[i].box()) > kPaneInFrame * area_of(openings[i].box()))
+    if (common_area(plate.shape.box(), openings[i].box()) > kPaneInFrame * area_of(openings[i].box()))
       inside.push_back(i);
   return inside;
 }
@@ -36,17 +36,6 @@ FoundRectangle around(const std::vector<FoundRectangle>& openings, const std::ve
     for (const Side side : kSides)
       if (outwards(side) * (openings[m].at(side) - all.at(side)) > 0) all.side(side) = openings[m].side(side);
   return all;
-}
-
-// Gives an opening the sides of the frame that lie beyond its own.
-void extend_to(const FoundRectangle& frame, FoundRectangle& opening) {
-  opening.arc.reset(), opening.pointed.reset();
-  opening.lean = {};
-  for (const Side side : kSides) {
-    if (outwards(side) * (frame.at(side) - opening.at(side)) <= opening.error(side)) continue;
-    opening.side(side) = frame.side(side);
-    opening.side(side).error += kHingeError;
-  }
 }
 
 // Extends the openings that are panes of a frame, and says which plates are frames.
@@ -61,16 +50,10 @@ void fill_frames(const std::vector<FlatPlate>& plates, const LeafJudge& judge, s
     const std::size_t largest = *std::max_element(inside.begin(), inside.end(), [&](std::size_t a, std::size_t b) {
       return area_of(openings[a].box()) < area_of(openings[b].box());
     });
-    extend_to(plates[i].shape, openings[largest]);
+    make_rectangle(openings[largest]);
+    widen(plates[i], openings[largest]);
     uses[i] = PlateUse::frame;
   }
-}
-
-FoundRectangle window_of(const FlatPlate& plate) {
-  FoundRectangle window = plate.shape;
-  window.depth = window.depth_error = 0;
-  for (LocatedEdge& edge : window.sides) edge.error += kHingeError, edge.by_face = false;
-  return window;
 }
 
 }  // namespace
@@ -97,7 +80,7 @@ std::vector<ShutterLeaf> find_framed_windows(double most_depth, double alike, do
                                    [&](const FoundRectangle& o) { return judge.is_as_large(plates[i], o); }))
         continue;
       uses[i] = PlateUse::closed;
-      openings.push_back(window_of(plates[i]));
+      openings.push_back(outlined_by(plates[i]));
       if (plates[i].shape.depth <= kFlatRelief) leaves.push_back({plates[i].shape, LeafState::closed});
       more = true;
     }

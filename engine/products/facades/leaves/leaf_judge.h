@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares plates that lie on a wall with the openings of the wall and with each other. Internal to leaves/.
+// Plates that lie on a wall beside its openings: which are alike, and what a plate makes of an opening. Internal to
+// leaves/.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -13,12 +14,9 @@ namespace ilot {
 // Choice: hinges hold a leaf up to 2 cm beside the jamb, 1 cm in the mean; as kHinge in openings.cpp.
 inline constexpr double kHingeError = 0.01;  // metres between the ends of closed leaves and those of their window
 
+// The length that two intervals have in common; negative where they are apart.
 inline double overlap_of(double a0, double a1, double b0, double b1) {
   return std::min(a1, b1) - std::max(a0, b0);
-}
-
-inline double area_in_common(const Box2& a, const Box2& b) {
-  return std::max(0.0, overlap_of(a.u0, a.u1, b.u0, b.u1)) * std::max(0.0, overlap_of(a.v0, a.v1, b.v0, b.v1));
 }
 
 // The part of an opening that leaves can close: they end where an arch begins.
@@ -26,6 +24,24 @@ inline Box2 jambs_of(const FoundRectangle& o) {
   Box2 box = o.box();
   box.v1 -= rise_of(o);
   return box;
+}
+
+// The window behind a plate, with its outline and no depth.
+inline FoundRectangle outlined_by(const FlatPlate& plate) {
+  FoundRectangle window = plate.shape;
+  window.depth = window.depth_error = 0;
+  for (LocatedEdge& edge : window.sides) edge.error += kHingeError, edge.by_face = false;
+  return window;
+}
+
+// Sides of an opening that a plate hides in part are those of the plate.
+inline void widen(const FlatPlate& plate, FoundRectangle& o) {
+  for (const Side side : kSides) {
+    if (!plate.ends_at(side) || (side != Side::bottom && !o.is_rectangle())) continue;
+    if (outwards(side) * (plate.shape.at(side) - o.at(side)) <= o.error(side)) continue;
+    o.side(side) = plate.shape.side(side);
+    o.side(side).error += kHingeError;
+  }
 }
 
 // Compares plates with openings and with each other.
@@ -53,7 +69,7 @@ class LeafJudge {
   // Whether a plate closes an opening that was found about it or through gaps of it.
   bool is_before(const FlatPlate& plate, const FoundRectangle& o) const {
     const Box2 p = plate.shape.box(), b = o.box();
-    const double common = area_in_common(p, b);
+    const double common = common_area(p, b);
     return common > kOver * p.width() * p.height() && common > kOver * b.width() * b.height() &&
            p.width() <= kWidthOfRow * b.width();
   }
@@ -68,7 +84,7 @@ class LeafJudge {
   // Whether an opening lies so that a plate cannot be closed leaves: over it, or beside it without wall between.
   bool excludes(const FoundRectangle& o, const FlatPlate& plate) const {
     const Box2 p = plate.shape.box(), b = o.box(), about = b.grown(std::max(kHingeReach, cell_));
-    return area_in_common(p, b) > 0 ||
+    return common_area(p, b) > 0 ||
            (overlap_of(p.v0, p.v1, b.v0, b.v1) > 0 && overlap_of(p.u0, p.u1, about.u0, about.u1) > 0);
   }
 
@@ -100,9 +116,8 @@ class LeafJudge {
   }
 
  private:
-  // How far a side of one and the same side of another may lie apart where both are meant to be equal.
   double near(const FoundRectangle& a, const FoundRectangle& b, Side side) const {
-    return alike_ + 2 * kHingeError + std::min(cell_, a.error(side)) + std::min(cell_, b.error(side));
+    return equal_within(a, b, side, alike_ + 2 * kHingeError, cell_);
   }
   // One of both ends may be hidden; then more than half of the height is seen, and the widths are equal.
   bool same_heights(const FlatPlate& a, const FoundRectangle& b) const {

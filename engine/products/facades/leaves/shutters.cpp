@@ -64,7 +64,7 @@ std::vector<bool> add_windows_between(const FlatPlates& found, const LeafJudge& 
     for (std::size_t k = 0; k < plates.size(); ++k) {
       if (!judge.are_about_window(plates[i], plates[k])) continue;
       const FoundRectangle window = window_between(plates[i], plates[k]);
-      const auto overlaps = [&](const FoundRectangle& o) { return area_in_common(window.box(), o.box()) > 0; };
+      const auto overlaps = [&](const FoundRectangle& o) { return common_area(window.box(), o.box()) > 0; };
       const auto lies_between = [&](const FlatPlate& p) { return overlaps(p.shape); };
       if (std::any_of(openings.begin(), openings.end(), overlaps) ||
           std::any_of(plates.begin(), plates.end(), lies_between) ||
@@ -78,9 +78,7 @@ std::vector<bool> add_windows_between(const FlatPlates& found, const LeafJudge& 
 
 // The window behind a plate, with what is hidden of it from an opening that it is like.
 FoundRectangle window_behind(const FlatPlate& plate, const FoundRectangle* like, double alike) {
-  FoundRectangle window = plate.shape;
-  window.depth = window.depth_error = 0;
-  for (LocatedEdge& edge : window.sides) edge.error += kHingeError, edge.by_face = false;
+  FoundRectangle window = outlined_by(plate);
   if (like == nullptr) return window;
   const Box2 q = jambs_of(*like);
   const auto complete = [&](Side side, double at) {
@@ -160,16 +158,6 @@ ClosedPlates closed_plates(const std::vector<FlatPlate>& plates, const std::vect
         }
   }
   return found;
-}
-
-// Sides of an opening that leaves hide in part are those of the leaves.
-void widen(const FlatPlate& plate, FoundRectangle& o) {
-  for (const Side side : kSides) {
-    if (!plate.ends_at(side) || (side != Side::bottom && !o.is_rectangle())) continue;
-    if (outwards(side) * (plate.shape.at(side) - o.at(side)) <= o.error(side)) continue;
-    o.side(side) = plate.shape.side(side);
-    o.side(side).error += kHingeError;
-  }
 }
 
 }  // namespace

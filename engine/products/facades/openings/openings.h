@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds windows and doors: places where rays go through the wall.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -68,6 +69,19 @@ struct FoundRectangle {
             b.v0 - beyond(Side::bottom, b.width()), b.v1 + beyond(Side::top, b.width())};
   }
 };
+
+// How far a side of one and the same side of another may lie apart where both are meant to be equal, in metres: `alike`
+// and their errors, of which no more than `most_error` counts, as a side that is not known proves nothing.
+inline double equal_within(const FoundRectangle& a, const FoundRectangle& b, Side side, double alike,
+                           double most_error) {
+  return alike + std::min(most_error, a.error(side)) + std::min(most_error, b.error(side));
+}
+
+// Takes away an arch, a point and leaning sides: what hides a part of an opening gives it such a form.
+inline void make_rectangle(FoundRectangle& opening) {
+  opening.arc.reset(), opening.pointed.reset();
+  opening.lean = {};
+}
 
 // How far behind the wall a ray must end that goes through it, in metres.
 double depth_through(const FacadeSite& site, const OpeningParams& params);

@@ -168,10 +168,8 @@ void join_grids(Panes& panes, bool piers_show) {
   }
 }
 
-// How far a side of one and the same side of another may lie apart where both are meant to be equal. A side that nobody
-// saw well proves nothing.
 double near(const FoundRectangle& a, const FoundRectangle& b, Side side, double alike) {
-  return alike + std::min(kWidestBar, a.error(side)) + std::min(kWidestBar, b.error(side));
+  return equal_within(a, b, side, alike, kWidestBar);
 }
 
 bool is_same_side(const FoundRectangle& a, const FoundRectangle& b, Side side, double alike) {
@@ -213,7 +211,7 @@ void open_ends(const FoundRectangle& other, double alike, FoundRectangle& window
 }
 
 // The opening that some panes are like together; none if more of the others are like one of the panes alone, of which
-// each window that is parted has two. Of several in the row it is the highest: another one may be as much in pieces.
+// each window that is parted has two. Of several in the row it is the highest, as others may lack a light too.
 const FoundRectangle* window_like(const FoundRectangle& whole, const std::vector<FoundRectangle>& found,
                                   const std::vector<std::size_t>& members, double alike) {
   const FoundRectangle* like = nullptr;
@@ -240,8 +238,7 @@ void join_panes_like_others(double alike, std::vector<FoundRectangle>& found) {
     FoundRectangle whole = joined(found, members);
     const FoundRectangle* like = window_like(whole, found, members, alike);
     if (like == nullptr) continue;
-    whole.arc.reset(), whole.pointed.reset();  // what hangs behind a pane gives it a head of its own
-    whole.lean = {};
+    make_rectangle(whole);  // what hangs behind a pane gives it a head of its own
     if (is_like_in_row(whole, *like, alike)) open_ends(*like, alike, whole);
     found[i] = whole;
     for (std::size_t m = members.size(); m-- > 1;) found.erase(found.begin() + static_cast<std::ptrdiff_t>(members[m]));
